@@ -1,0 +1,1 @@
+//! The motion of the friction oscillator.
