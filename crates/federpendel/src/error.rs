@@ -1,0 +1,72 @@
+//! What can be wrong with an input, said by name, value and what is allowed.
+
+use crate::parameter::Range;
+
+/// Why a value was refused. Every variant names the field in the words of [`crate::parameter`].
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter outside its range, NaN or infinite.
+    #[error("{name} is {value}; allowed is {range}")]
+    Parameter {
+        /// Name of the parameter, as in [`crate::parameter`].
+        name: &'static str,
+        /// The value that was refused, SI.
+        value: f64,
+        /// What is allowed.
+        range: Range,
+    },
+    /// The static coefficient lies below the kinetic one.
+    #[error("static is {static_}; allowed is at least kinetic, {kinetic}")]
+    StaticBelowKinetic {
+        /// Static coefficient that was refused.
+        static_: f64,
+        /// Kinetic coefficient it must reach.
+        kinetic: f64,
+    },
+    /// Coulomb friction without a force that presses the mass on its guide.
+    #[error("{name} is {value}; Coulomb friction needs a normal force above zero")]
+    NoNormalForce {
+        /// `gravity` or `normal_force`.
+        name: &'static str,
+        /// Its value, SI.
+        value: f64,
+    },
+    /// The inputs are allowed one by one, but a quantity made of them overflows or underflows.
+    #[error("{quantity} = {value} made of the given values; it must be an ordinary finite number")]
+    Derived {
+        /// Name of the derived quantity.
+        quantity: &'static str,
+        /// What it came out as, SI.
+        value: f64,
+    },
+    /// More swings would have to be followed than the limit allows.
+    #[error("time is {time} s; this motion can be followed up to {reached} s ({swings} swings)")]
+    TooManySwings {
+        /// The time asked for, s.
+        time: f64,
+        /// How far the motion was followed, s.
+        reached: f64,
+        /// Number of swings until then.
+        swings: u64,
+    },
+    /// Two buffers that belong together differ in length.
+    #[error("{name} has {found} elements; {expected} are needed")]
+    Length {
+        /// Name of the buffer.
+        name: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length needed.
+        expected: usize,
+    },
+    /// The article gives no formula for this mix of friction.
+    #[error("the article solves no friction, Stokes or Coulomb friction alone; not {mix}")]
+    NotInArticle {
+        /// The mix asked for.
+        mix: crate::friction::Mix,
+    },
+}
+
+/// Result of everything here that checks its input.
+pub type Result<T> = std::result::Result<T, Error>;
