@@ -1,7 +1,15 @@
 //! The motion: a chain of swings between turning points, until the mass rests.
 
-use crate::error::Result;
+use std::sync::OnceLock;
+
+use crate::chain::cursor::Cursor;
+use crate::chain::linear::{Last, LinearChain};
+use crate::chain::series::{MOST_SWINGS, SeriesChain};
+use crate::chain::{Chain, Start};
+use crate::error::{Error, Result};
 use crate::oscillator::{Oscillator, State};
+use crate::parameter;
+use crate::sticking::Sticking;
 
 /// Which way the mass moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -55,8 +63,9 @@ pub struct Rest {
     pub position: f64,
     /// Number of swings until then; the first one may be a partial one.
     pub swings: u64,
-    /// Distance of the place inside the edge of the sticking band, over the half width of the band;
-    /// negative when only [`Ties::Stick`] made it stick. Without Coulomb friction, zero.
+    /// Distance of the place inside the edge of the sticking band, over the offset (over the half
+    /// width of the band where the kinetic coefficient is zero); negative if only [`Ties::Stick`]
+    /// made it stick, zero without Coulomb friction.
     pub margin: f64,
     /// Whether the edge is so near that rounding of the inputs decides.
     pub tie: bool,
@@ -124,13 +133,21 @@ pub enum Ties {
 pub struct Motion {
     oscillator: Oscillator,
     release: State,
+    sticking: Sticking,
+    amplitude: f64,
+    chain: Chain,
+    outcome: OnceLock<Outcome>,
 }
+
+/// Drag stronger than this, κ times the amplitude, is refused: a swing would take too many steps.
+const STRONGEST_DRAG: f64 = 1e5;
 
 impl Motion {
     /// The motion of `oscillator` after `release`; on the edge of the band it sticks.
     ///
     /// # Errors
-    /// [`Error::Derived`](crate::Error::Derived) if amplitude or energy overflow.
+    /// [`Error::Derived`] if the amplitude or the energy of the release overflow, or if Newton
+    /// friction is stronger than κ·amplitude = 1e5.
     pub fn new(oscillator: Oscillator, release: State) -> Result<Self> {
         Self::with_ties(oscillator, release, Ties::Stick)
     }
@@ -140,8 +157,28 @@ impl Motion {
     /// # Errors
     /// As [`Motion::new`].
     pub fn with_ties(oscillator: Oscillator, release: State, ties: Ties) -> Result<Self> {
-        let _ = ties;
-        Ok(Self { oscillator, release })
+        let reduced = oscillator.reduced();
+        let amplitude = release.position.abs().max(release.velocity.abs() / reduced.omega0.hi());
+        let energy = oscillator.energy(release);
+        let drag = reduced.kappa * amplitude;
+        for (quantity, value, most) in [
+            ("amplitude", amplitude, f64::MAX),
+            ("energy", energy, f64::MAX),
+            ("drag strength (newton_rate times amplitude)", drag, STRONGEST_DRAG),
+        ] {
+            if !value.is_finite() || value > most {
+                return Err(Error::Derived { quantity, value });
+            }
+        }
+        let sticking = Sticking::new(reduced, amplitude, ties);
+        let first = Start::release(reduced, &sticking, release.position, release.velocity);
+        let chain = if reduced.kappa > 0.0 {
+            Chain::Series(SeriesChain::new(reduced, &sticking, first, amplitude))
+        } else {
+            let error = CLOSED_FORM_ERROR * amplitude;
+            Chain::Linear(Box::new(LinearChain::new(reduced, &sticking, first, error)))
+        };
+        Ok(Self { oscillator, release, sticking, amplitude, chain, outcome: OnceLock::new() })
     }
 
     /// The oscillator.
@@ -154,41 +191,108 @@ impl Motion {
         self.release
     }
 
-    /// How this motion is known.
-    pub fn kind(&self) -> Kind {
-        todo!()
+    /// The larger of |x0| and |v0|/ω0, m: errors are relative to it.
+    pub fn amplitude(&self) -> f64 {
+        self.amplitude
     }
 
-    /// Bound on the error of every position up to `time` (s), in m; divided by 1/ω0 it bounds
-    /// that of the velocity.
+    /// How this motion is known.
+    pub fn kind(&self) -> Kind {
+        let mix = self.oscillator.friction().mix();
+        match (mix.newton, mix.stokes) {
+            (false, _) => Kind::ClosedForm,
+            (true, false) => Kind::FirstIntegral,
+            (true, true) => Kind::Series,
+        }
+    }
+
+    /// Bound on the error of every position up to `time` (s), m; times ω0 it bounds that of the
+    /// velocity.
     ///
     /// # Errors
     /// As [`Motion::at`].
-    pub fn error_bound(&self, _time: f64) -> Result<f64> {
-        todo!()
+    pub fn error_bound(&self, time: f64) -> Result<f64> {
+        Ok(match &self.chain {
+            Chain::Linear(_) => CLOSED_FORM_ERROR * self.amplitude,
+            Chain::Series(chain) => chain.error(self.cursor_at(time)?.start().index),
+        })
+    }
+
+    pub(crate) fn cursor(&self, dense: bool) -> Cursor<'_> {
+        Cursor::new(self.oscillator.reduced(), &self.chain, dense)
+    }
+
+    fn cursor_at(&self, time: f64) -> Result<Cursor<'_>> {
+        parameter::TIME.check(time)?;
+        let mut cursor = self.cursor(true);
+        cursor.seek(&self.chain, time)?;
+        Ok(cursor)
     }
 
     /// The motion at `time` ≥ 0, s.
     ///
     /// # Errors
-    /// [`Error::Parameter`](crate::Error::Parameter) for a negative time, NaN or infinity;
-    /// [`Error::TooManySwings`](crate::Error::TooManySwings) with Newton friction beyond the swings
-    /// that are followed.
-    pub fn at(&self, _time: f64) -> Result<Sample> {
-        todo!()
+    /// [`Error::Parameter`] for a negative time, NaN or infinity; [`Error::TooManySwings`] beyond 1e7
+    /// swings with Newton friction, or 2⁵³ without.
+    pub fn at(&self, time: f64) -> Result<Sample> {
+        Ok(self.sample_on(&self.cursor_at(time)?, time))
     }
 
-    /// Positions (m) and velocities (m/s) at `times` (s), in any order.
+    /// The sample at `time` on the swing under the cursor, which must hold it.
+    fn sample_on(&self, cursor: &Cursor, time: f64) -> Sample {
+        let start = cursor.start();
+        if start.rests() {
+            let position = start.x.into();
+            return Sample { time, position, velocity: 0.0, acceleration: 0.0, mode: Mode::Stuck };
+        }
+        let reduced = self.oscillator.reduced();
+        let (omega0, zeta, kappa) = (reduced.omega0.hi(), reduced.zeta.hi(), reduced.kappa);
+        let (y, w) = cursor.framed(time);
+        let side = -start.direction;
+        Sample {
+            time,
+            position: side * (y + reduced.offset.hi()),
+            velocity: side * w * omega0,
+            acceleration: side * (kappa * w * w - 2.0 * zeta * w - y) * omega0 * omega0,
+            mode: if start.direction > 0.0 { Mode::Forward } else { Mode::Backward },
+        }
+    }
+
+    /// The motion at each of `times` (s), in any order; rising times are fastest.
     ///
     /// # Errors
-    /// As [`Motion::at`], and [`Error::Length`](crate::Error::Length) if the buffers differ.
+    /// As [`Motion::at`].
+    pub fn samples(&self, times: &[f64]) -> Result<Vec<Sample>> {
+        let mut cursor = self.cursor(true);
+        let at = |&time: &f64| {
+            cursor.seek(&self.chain, parameter::TIME.check(time)?)?;
+            Ok(self.sample_on(&cursor, time))
+        };
+        times.iter().map(at).collect()
+    }
+
+    /// Positions (m) and velocities (m/s) at `times` (s), in any order; rising times are fastest.
+    ///
+    /// # Errors
+    /// As [`Motion::at`], and [`Error::Length`] if the buffers differ.
     pub fn sample(
         &self,
-        _times: &[f64],
-        _positions: &mut [f64],
-        _velocities: &mut [f64],
+        times: &[f64],
+        positions: &mut [f64],
+        velocities: &mut [f64],
     ) -> Result<()> {
-        todo!()
+        for (name, found) in [("positions", positions.len()), ("velocities", velocities.len())] {
+            if found != times.len() {
+                return Err(Error::Length { name, found, expected: times.len() });
+            }
+        }
+        let mut cursor = self.cursor(true);
+        for ((&time, x), v) in times.iter().zip(positions).zip(velocities) {
+            cursor.seek(&self.chain, parameter::TIME.check(time)?)?;
+            let sample = self.sample_on(&cursor, time);
+            (*x, *v) = (sample.position, sample.velocity);
+        }
+        Ok(())
     }
 
     /// Positions (m) and velocities (m/s) at the even times `duration`·i/(n − 1), i = 0 … n − 1, with n
@@ -198,20 +302,101 @@ impl Motion {
     /// As [`Motion::sample`]; n must be at least 2.
     pub fn sample_even(
         &self,
-        _duration: f64,
-        _positions: &mut [f64],
-        _velocities: &mut [f64],
+        duration: f64,
+        positions: &mut [f64],
+        velocities: &mut [f64],
     ) -> Result<()> {
-        todo!()
+        self.sample(&even_times(duration, positions.len())?, positions, velocities)
     }
 
-    /// All turning points with 0 < t, in order, one at a time; endless if the mass never rests.
+    /// All turning points with t > 0, in order, one at a time; endless if the mass never rests.
     pub fn turning_points(&self) -> impl Iterator<Item = TurningPoint> + '_ {
-        std::iter::empty()
+        let reduced = self.oscillator.reduced();
+        let mut cursor = self.cursor(false);
+        std::iter::from_fn(move || {
+            let index = cursor.start().index;
+            while cursor.start().index == index {
+                if !cursor.advance() {
+                    return None;
+                }
+            }
+            let start = cursor.start();
+            Some(TurningPoint { time: start.time(reduced), position: start.x.into() })
+        })
     }
 
-    /// How the motion ends. With Newton friction this follows up to 1e7 swings.
+    /// How the motion ends. With Newton friction this follows up to 1e7 swings, once.
     pub fn outcome(&self) -> Outcome {
-        todo!()
+        *self.outcome.get_or_init(|| self.find_outcome())
     }
+
+    fn find_outcome(&self) -> Outcome {
+        let sticks = self.oscillator.sticking_offset() > 0.0;
+        let mut cursor = self.cursor(false);
+        loop {
+            if cursor.start().rests() {
+                return Outcome::Rests(self.rest(cursor.start()));
+            }
+            if let Some(chain) = cursor.linear() {
+                return self.linear_outcome(chain);
+            }
+            let endless = matches!(&self.chain, Chain::Series(chain) if chain.swings_on());
+            if endless && !sticks {
+                return Outcome::Swings;
+            }
+            if cursor.start().index >= MOST_SWINGS {
+                return self.unknown(cursor.start());
+            }
+            cursor.advance();
+        }
+    }
+
+    fn linear_outcome(&self, chain: &LinearChain) -> Outcome {
+        match chain.last() {
+            Last::At(index) => Outcome::Rests(self.rest(&chain.start(index))),
+            Last::Beyond => self.unknown(&chain.start(crate::chain::linear::MOST_SWINGS)),
+            Last::Never if chain.propagator().frequency().is_some() => Outcome::Swings,
+            Last::Never => {
+                let mut start = chain.first();
+                while let Some(next) = chain.next(&start) {
+                    start = next;
+                }
+                Outcome::Creeps { limit: -start.direction * self.oscillator.offset() }
+            }
+        }
+    }
+
+    fn unknown(&self, start: &Start) -> Outcome {
+        Outcome::Unknown { after: start.time(self.oscillator.reduced()), swings: start.index }
+    }
+
+    fn rest(&self, start: &Start) -> Rest {
+        let error = match &self.chain {
+            Chain::Linear(_) if start.index == 0 => 0.0,
+            Chain::Linear(_) => CLOSED_FORM_ERROR * self.amplitude,
+            Chain::Series(chain) => chain.error(start.index),
+        };
+        let verdict = self.sticking.verdict(start.x, start.index, error);
+        Rest {
+            time: start.time(self.oscillator.reduced()),
+            position: start.x.into(),
+            swings: start.index,
+            margin: verdict.margin,
+            tie: verdict.tie,
+        }
+    }
+}
+
+/// Bound on the error of a closed-form position, relative to the amplitude.
+const CLOSED_FORM_ERROR: f64 = 8.0 * f64::EPSILON;
+
+/// The times `duration`·i/(`samples` − 1), s, the last one `duration` itself.
+///
+/// # Errors
+/// [`Error::Parameter`] for a duration that is not above zero and finite, or fewer than two samples.
+pub fn even_times(duration: f64, samples: usize) -> Result<Vec<f64>> {
+    parameter::DURATION.check(duration)?;
+    parameter::SAMPLES.check(samples as f64)?;
+    let last = (samples - 1) as f64;
+    Ok((0..samples).map(|i| duration * i as f64 / last).collect())
 }

@@ -1,0 +1,165 @@
+//! A place on the chain of swings, from which it is walked and sampled.
+
+use crate::chain::linear::LinearChain;
+use crate::chain::series::{MOST_SWINGS, Next, SeriesChain};
+use crate::chain::{Chain, Start};
+use crate::error::{Error, Result};
+use crate::oscillator::Reduced;
+use crate::swing::piece::Piece;
+
+/// One swing of a chain, or the rest that ends it.
+#[derive(Debug, Clone)]
+pub(crate) struct Cursor<'m> {
+    reduced: Reduced,
+    course: Course<'m>,
+    start: Start,
+    /// Times of this start and of the next, s; the next is infinite if there is none.
+    from: f64,
+    until: f64,
+    next: Option<Next>,
+    /// Dense output of the swing, where it is a series.
+    pieces: Vec<Piece>,
+    /// Whether pieces are wanted.
+    dense: bool,
+}
+
+/// What solves the swing under the cursor.
+#[derive(Debug, Clone)]
+enum Course<'m> {
+    Linear(Box<LinearChain>),
+    Series(&'m SeriesChain),
+}
+
+impl<'m> Cursor<'m> {
+    /// The cursor on the first swing. Without `dense` only starts are computed, no states between.
+    pub fn new(reduced: &Reduced, chain: &'m Chain, dense: bool) -> Self {
+        let (course, start) = match chain {
+            Chain::Linear(chain) => (Course::Linear(chain.clone()), chain.first()),
+            Chain::Series(chain) => (Course::Series(chain), chain.first()),
+        };
+        let mut cursor = Cursor {
+            reduced: *reduced,
+            course,
+            start,
+            from: 0.0,
+            until: f64::INFINITY,
+            next: None,
+            pieces: Vec::new(),
+            dense,
+        };
+        cursor.enter(start);
+        cursor
+    }
+
+    /// Puts the cursor on the swing that starts at `start` on its present course.
+    fn enter(&mut self, start: Start) {
+        self.start = start;
+        self.from = start.time(&self.reduced);
+        self.next = if start.rests() {
+            None
+        } else {
+            match &self.course {
+                Course::Linear(chain) => chain.next(&start).map(Next::Start),
+                Course::Series(chain) => {
+                    Some(chain.solve(&start, self.dense.then_some(&mut self.pieces)))
+                }
+            }
+        };
+        self.until = match &self.next {
+            None => f64::INFINITY,
+            Some(Next::Start(next)) => next.time(&self.reduced),
+            Some(Next::Tail(chain)) => chain.first().time(&self.reduced),
+        };
+    }
+
+    /// Goes on to the next start; false if there is none.
+    pub fn advance(&mut self) -> bool {
+        match self.next.take() {
+            None => return false,
+            Some(next) => self.take_up(next),
+        }
+        true
+    }
+
+    fn take_up(&mut self, next: Next) {
+        match next {
+            Next::Start(start) => self.enter(start),
+            Next::Tail(chain) => {
+                let first = chain.first();
+                self.course = Course::Linear(chain);
+                self.enter(first);
+            }
+        }
+    }
+
+    /// Goes to the swing that holds `time` ≥ 0, s.
+    pub fn seek(&mut self, chain: &'m Chain, time: f64) -> Result<()> {
+        if self.from <= time && time < self.until {
+            return Ok(());
+        }
+        if time < self.from
+            && let Chain::Series(series) = chain
+        {
+            self.course = Course::Series(series);
+            self.take_up(series.known_before(time));
+        }
+        loop {
+            if let Course::Linear(linear) = &self.course {
+                let tau = self.reduced.omega0 * time;
+                let start = linear.index_at(time, tau).map(|index| linear.start(index));
+                self.enter(start.ok_or_else(|| self.lost(time))?);
+                return Ok(());
+            }
+            if time < self.until {
+                return Ok(());
+            }
+            if self.start.index >= MOST_SWINGS {
+                return Err(self.lost(time));
+            }
+            self.advance();
+        }
+    }
+
+    fn lost(&self, time: f64) -> Error {
+        Error::TooManySwings { time, reached: self.from, swings: self.start.index }
+    }
+
+    pub fn start(&self) -> &Start {
+        &self.start
+    }
+
+    pub fn from(&self) -> f64 {
+        self.from
+    }
+
+    pub fn until(&self) -> f64 {
+        self.until
+    }
+
+    /// The chain in closed form that the cursor is on, if it is on one.
+    pub fn linear(&self) -> Option<&LinearChain> {
+        match &self.course {
+            Course::Linear(chain) => Some(chain),
+            Course::Series(_) => None,
+        }
+    }
+
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// (y, w) in the frame of the swing at `time`, which it must hold.
+    pub fn framed(&self, time: f64) -> (f64, f64) {
+        let tau = f64::from(self.reduced.omega0 * time - self.start.tau).max(0.0);
+        match &self.course {
+            Course::Linear(chain) => {
+                let (y, w) = self.start.framed(self.reduced.offset);
+                chain.propagator().state(tau, y.into(), w)
+            }
+            Course::Series(_) => {
+                let later = self.pieces.partition_point(|piece| piece.start <= tau);
+                self.pieces[later - 1].state(tau)
+            }
+        }
+    }
+}

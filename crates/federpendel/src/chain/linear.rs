@@ -1,0 +1,194 @@
+//! The chain without Newton friction: every swing at once, in closed form.
+
+use twofloat::TwoFloat;
+use twofloat::consts::PI;
+
+use crate::chain::Start;
+use crate::oscillator::Reduced;
+use crate::sticking::Sticking;
+use crate::swing::linear::Propagator;
+
+/// Beyond so many swings the time of one is lost in double-double.
+pub(crate) const MOST_SWINGS: u64 = 1 << 53;
+
+/// The swings from one start on: at most one from a state in motion, then all others from rest.
+///
+/// From rest at distance a from the centre, Coulomb friction and damping lead to
+/// a' = r (a − f) − f at the next turning point, with r = e^(−q), q = πζ/√(1 − ζ²): an affine map, of which
+/// any number of repetitions is in closed form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LinearChain {
+    reduced: Reduced,
+    sticking: Sticking,
+    propagator: Propagator,
+    /// Bound on the error of a turning point, m.
+    error: f64,
+    first: Start,
+    /// First start from rest, `first` itself or the next; none if the velocity never vanishes.
+    rest_start: Option<Start>,
+    /// Duration of a swing from rest and its decrement q, where the linear part swings.
+    repeat: Option<(TwoFloat, TwoFloat)>,
+    last: Last,
+}
+
+/// The turning point at which a chain ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Last {
+    /// The mass sticks at the turning point of this index.
+    At(u64),
+    /// It never rests.
+    Never,
+    /// Not before [`MOST_SWINGS`].
+    Beyond,
+}
+
+impl LinearChain {
+    /// The chain from `first`; `error` bounds the error that its state brings along, m.
+    pub fn new(reduced: &Reduced, sticking: &Sticking, first: Start, error: f64) -> Self {
+        let discriminant = reduced.discriminant();
+        let repeat = (discriminant > 0.0).then(|| {
+            let duration = PI / discriminant.sqrt();
+            (duration, duration * reduced.zeta)
+        });
+        let mut chain = LinearChain {
+            reduced: *reduced,
+            sticking: *sticking,
+            propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
+            error,
+            first,
+            rest_start: None,
+            repeat,
+            last: Last::Never,
+        };
+        chain.rest_start = chain.first_from_rest();
+        chain.last = chain.find_last();
+        chain
+    }
+
+    pub fn propagator(&self) -> &Propagator {
+        &self.propagator
+    }
+
+    pub fn first(&self) -> Start {
+        self.first
+    }
+
+    pub fn last(&self) -> Last {
+        self.last
+    }
+
+    fn first_from_rest(&self) -> Option<Start> {
+        if self.first.w == 0.0 {
+            return Some(self.first);
+        }
+        let (y0, w0) = self.first.framed(self.reduced.offset);
+        let duration = self.propagator.time_to_reversal(y0.into(), w0)?;
+        let (y, _) = self.propagator.state(duration, y0.into(), w0);
+        let offset = self.reduced.offset;
+        Some(self.first.turn(duration.into(), y.into(), offset, &self.sticking, self.error))
+    }
+
+    /// Signed distance from the centre after `count` swings from rest at distance `a`: negative if
+    /// the mass did not get past the centre.
+    fn distance(&self, a: TwoFloat, count: u64) -> TwoFloat {
+        let Some((_, decrement)) = self.repeat else { return a };
+        let count = count as f64;
+        let exponent = decrement * count;
+        // e^(−nq) with the low part of the exponent, and (1 − e^(−nq))/(1 − e^(−q)).
+        let power = TwoFloat::from((-exponent.hi()).exp()) * (1.0 - exponent.lo());
+        let geometric = if decrement.hi() == 0.0 {
+            count
+        } else {
+            (-exponent.hi()).exp_m1() / (-decrement.hi()).exp_m1()
+        };
+        let one_plus_ratio = 1.0 + TwoFloat::from((-decrement.hi()).exp());
+        power * a - self.reduced.offset * one_plus_ratio * geometric
+    }
+
+    /// The start of index `index`, which the chain must have.
+    pub fn start(&self, index: u64) -> Start {
+        let Some(rest_start) = self.rest_start.filter(|start| start.index <= index) else {
+            return self.first;
+        };
+        let count = index - rest_start.index;
+        let (Some((duration, _)), 1..) = (self.repeat, count) else { return rest_start };
+        let side = if count.is_multiple_of(2) { 1.0 } else { -1.0 } * rest_start.x.hi().signum();
+        let x = side * self.distance(rest_start.x.abs(), count);
+        let direction = if self.last == Last::At(index) { 0.0 } else { -side };
+        Start { index, tau: rest_start.tau + duration * count as f64, x, w: 0.0, direction }
+    }
+
+    /// The start after `start`; `None` if that one lasts for ever.
+    pub fn next(&self, start: &Start) -> Option<Start> {
+        let turns = match self.rest_start {
+            None => false,
+            Some(rest_start) if start.index < rest_start.index => true,
+            Some(_) => self.repeat.is_some(),
+        };
+        (turns && !start.rests() && start.index < MOST_SWINGS).then(|| self.start(start.index + 1))
+    }
+
+    /// Index of the swing that holds the time `time` (s), at which ω0 t is `tau`; `None` beyond
+    /// [`MOST_SWINGS`].
+    pub fn index_at(&self, time: f64, tau: TwoFloat) -> Option<u64> {
+        let Some(rest_start) = self.rest_start else { return Some(self.first.index) };
+        if time < rest_start.time(&self.reduced) {
+            return Some(self.first.index);
+        }
+        let (Some((duration, _)), false) = (self.repeat, rest_start.rests()) else {
+            return Some(rest_start.index);
+        };
+        let count = ((tau - rest_start.tau) / duration).hi().max(0.0) as u64;
+        let last = if let Last::At(last) = self.last { last } else { MOST_SWINGS };
+        let mut index = (rest_start.index.saturating_add(count)).min(last);
+        // The times that are told are rounded; a swing starts at its rounded time.
+        while index < last && self.start(index + 1).time(&self.reduced) <= time {
+            index += 1;
+        }
+        while index > rest_start.index && self.start(index).time(&self.reduced) > time {
+            index -= 1;
+        }
+        (index < MOST_SWINGS).then_some(index)
+    }
+
+    /// The first turning point that sticks.
+    fn find_last(&self) -> Last {
+        let Some(rest_start) = self.rest_start else { return Last::Never };
+        if rest_start.rests() {
+            return Last::At(rest_start.index);
+        }
+        let Some((_, decrement)) = self.repeat else { return Last::Never };
+        let (a, f) = (rest_start.x.abs(), self.reduced.offset.hi());
+        let band = self.reduced.sticking_offset.hi();
+        if band == 0.0 || f == 0.0 && decrement.hi() == 0.0 {
+            return Last::Never;
+        }
+        // Past the last turning point the formula goes on to negative distances.
+        let over = |count: u64| {
+            let distance = self.distance(a, count);
+            let index = rest_start.index + count;
+            distance < 0.0 || self.sticking.verdict(distance, index, self.error).sticks
+        };
+        let estimate = swings_until(a.hi(), band, f, decrement.hi());
+        if estimate >= MOST_SWINGS as f64 {
+            return Last::Beyond;
+        }
+        let mut count = estimate as u64;
+        while count > 1 && over(count - 1) {
+            count -= 1;
+        }
+        while count == 0 || !over(count) {
+            count += 1;
+        }
+        Last::At(rest_start.index + count)
+    }
+}
+
+/// Number of swings, up to rounding, until the distance falls from `a` to `band`.
+fn swings_until(a: f64, band: f64, offset: f64, decrement: f64) -> f64 {
+    let without_damping = (a - band) / (2.0 * offset);
+    // The map's fixed point lies at −f (1 + r)/(1 − r).
+    let fixed = if offset == 0.0 { 0.0 } else { offset / (0.5 * decrement).tanh() };
+    let damped = ((a - band) / (band + fixed)).ln_1p() / decrement;
+    if damped.is_finite() { damped.ceil() } else { without_damping.ceil() }
+}

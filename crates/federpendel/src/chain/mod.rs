@@ -1,0 +1,87 @@
+//! The chain of swings that makes a motion, and a cursor that walks along it.
+
+pub(crate) mod cursor;
+pub(crate) mod linear;
+pub(crate) mod series;
+
+use twofloat::TwoFloat;
+
+use crate::chain::linear::LinearChain;
+use crate::chain::series::SeriesChain;
+use crate::oscillator::Reduced;
+use crate::sticking::Sticking;
+
+/// The swings of a motion.
+#[derive(Debug, Clone)]
+pub(crate) enum Chain {
+    /// Without Newton friction.
+    Linear(Box<LinearChain>),
+    /// With it.
+    Series(SeriesChain),
+}
+
+/// Where a swing starts: the release, a turning point, or a point within a swing from which another
+/// way of solving it takes over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Start {
+    /// Number of turning points up to here.
+    pub index: u64,
+    /// Time ω0 t.
+    pub tau: TwoFloat,
+    /// Position, m.
+    pub x: TwoFloat,
+    /// Velocity over ω0, m.
+    pub w: f64,
+    /// −1 or +1, the way the mass moves from here; 0 if it rests.
+    pub direction: f64,
+}
+
+impl Start {
+    /// The release at `position` m with `velocity` m/s.
+    pub fn release(reduced: &Reduced, sticking: &Sticking, position: f64, velocity: f64) -> Self {
+        let mut start =
+            Start { index: 0, tau: 0.0.into(), x: position.into(), w: 0.0, direction: 0.0 };
+        if velocity == 0.0 {
+            start.direction = departure(start.x, sticking.verdict(start.x, 0, 0.0).sticks);
+        } else {
+            start.w = (velocity / reduced.omega0).into();
+            start.direction = velocity.signum();
+        }
+        start
+    }
+
+    /// The turning point that ends the swing from here, after `duration`, at `y` in the frame of
+    /// the swing. `error` bounds the arithmetic behind `y`, m.
+    pub fn turn(
+        &self,
+        duration: TwoFloat,
+        y: TwoFloat,
+        offset: TwoFloat,
+        sticking: &Sticking,
+        error: f64,
+    ) -> Self {
+        let index = self.index + 1;
+        let x = -self.direction * (y + offset);
+        let direction = departure(x, sticking.verdict(x, index, error).sticks);
+        Start { index, tau: self.tau + duration, x, w: 0.0, direction }
+    }
+
+    /// State in the frame of the swing from here (see [`crate::swing`]): (y, w).
+    pub fn framed(&self, offset: TwoFloat) -> (TwoFloat, f64) {
+        (-self.direction * self.x - offset, -self.direction * self.w)
+    }
+
+    /// The time of this start, s.
+    pub fn time(&self, reduced: &Reduced) -> f64 {
+        (self.tau / reduced.omega0).into()
+    }
+
+    pub fn rests(&self) -> bool {
+        self.direction == 0.0
+    }
+}
+
+/// From a turning point the mass moves towards the centre, unless it sticks.
+fn departure(x: TwoFloat, sticks: bool) -> f64 {
+    if sticks { 0.0 } else { -x.hi().signum() }
+}

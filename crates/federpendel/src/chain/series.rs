@@ -1,0 +1,166 @@
+//! The chain with Newton friction: swing after swing as a series, with places kept to come back to.
+
+use std::sync::Mutex;
+
+use twofloat::consts::PI;
+
+use crate::chain::Start;
+use crate::chain::linear::LinearChain;
+use crate::oscillator::Reduced;
+use crate::sticking::Sticking;
+use crate::swing::End;
+use crate::swing::linear::Propagator;
+use crate::swing::piece::Piece;
+use crate::swing::taylor::Taylor;
+
+/// So many swings are followed; then the motion is given up as unknown.
+pub(crate) const MOST_SWINGS: u64 = 10_000_000;
+
+/// The swings from the release on.
+#[derive(Debug)]
+pub(crate) struct SeriesChain {
+    reduced: Reduced,
+    sticking: Sticking,
+    taylor: Taylor,
+    amplitude: f64,
+    first: Start,
+    known: Mutex<Known>,
+}
+
+/// Starts that were passed, to come back to: every `stride`-th.
+#[derive(Debug, Clone)]
+struct Known {
+    starts: Vec<Start>,
+    stride: u64,
+    tail: Option<LinearChain>,
+}
+
+/// More are not kept: then every second one is dropped and the stride doubles.
+const MOST_KNOWN: usize = 1 << 15;
+
+/// What follows a swing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Next {
+    /// Another start on this chain.
+    Start(Start),
+    /// Drag has become negligible: the rest of the motion, the rest of a swing first if its start is
+    /// not a turning point.
+    Tail(Box<LinearChain>),
+}
+
+impl Clone for SeriesChain {
+    fn clone(&self) -> Self {
+        let known =
+            self.known.lock().map_or_else(|_| Known::new(self.first), |known| known.clone());
+        SeriesChain { known: Mutex::new(known), ..*self }
+    }
+}
+
+impl Known {
+    fn new(first: Start) -> Self {
+        Known { starts: vec![first], stride: 1, tail: None }
+    }
+
+    fn insert(&mut self, start: Start) {
+        let newer = self.starts.last().is_none_or(|last| last.index < start.index);
+        if !newer || !start.index.is_multiple_of(self.stride) {
+            return;
+        }
+        if self.starts.len() == MOST_KNOWN {
+            self.stride *= 2;
+            self.starts.retain(|start| start.index.is_multiple_of(self.stride));
+        }
+        self.starts.push(start);
+    }
+}
+
+impl SeriesChain {
+    pub fn new(reduced: &Reduced, sticking: &Sticking, first: Start, amplitude: f64) -> Self {
+        let discriminant = reduced.discriminant();
+        let half_period = (discriminant > 0.0).then(|| PI / discriminant.sqrt());
+        let taylor = Taylor {
+            propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
+            half_period,
+            ratio: half_period.map_or(0.0.into(), |duration| (-(duration * reduced.zeta)).exp()),
+            kappa: reduced.kappa,
+            negligible: 0.03 * f64::EPSILON * amplitude,
+        };
+        SeriesChain {
+            reduced: *reduced,
+            sticking: *sticking,
+            taylor,
+            amplitude,
+            first,
+            known: Mutex::new(Known::new(first)),
+        }
+    }
+
+    /// Bound on the error of the turning point `index`, m.
+    pub fn error(&self, index: u64) -> f64 {
+        self.amplitude * f64::EPSILON * (8.0 + 0.5 * index as f64)
+    }
+
+    /// Follows the swing from `start` and leaves its pieces, if asked.
+    pub fn solve(&self, start: &Start, pieces: Option<&mut Vec<Piece>>) -> Next {
+        let (y0, w0) = start.framed(self.reduced.offset);
+        let error = self.error(start.index + 1);
+        let next = match self.taylor.solve(y0, w0, pieces) {
+            End::Reversal { tau, y } => {
+                let turn = start.turn(tau, y, self.reduced.offset, &self.sticking, error);
+                if turn.rests() || !self.drag_is_negligible(turn.x.hi().abs()) {
+                    Next::Start(turn)
+                } else {
+                    Next::Tail(Box::new(self.tail(turn, error)))
+                }
+            }
+            End::Linear { tau, y, w } => {
+                let x = -start.direction * (self.reduced.offset + y);
+                let within = Start { tau: start.tau + tau, x, w: -start.direction * w, ..*start };
+                Next::Tail(Box::new(self.tail(within, error)))
+            }
+        };
+        self.remember(&next);
+        next
+    }
+
+    fn tail(&self, first: Start, error: f64) -> LinearChain {
+        LinearChain::new(&self.reduced, &self.sticking, first, error)
+    }
+
+    /// Whether all that drag can still take off the amplitude `a` is below rounding. The swings to
+    /// come lose at most 4κa²/3 each; damping makes their squares a geometric series, Coulomb friction
+    /// leaves a/2f of them.
+    fn drag_is_negligible(&self, a: f64) -> bool {
+        let damped = 1.0 / (1.0 - self.taylor.ratio.hi());
+        let dry = a / (2.0 * self.reduced.offset.hi()) + 1.0;
+        self.reduced.kappa * a * a * damped.min(dry) < self.taylor.negligible
+    }
+
+    fn remember(&self, next: &Next) {
+        // Another thread that holds the lock is remembering the same swings.
+        let Ok(mut known) = self.known.try_lock() else { return };
+        match next {
+            Next::Start(start) => known.insert(*start),
+            Next::Tail(tail) => known.tail = Some(**tail),
+        }
+    }
+
+    /// The last known place of the motion at or before `time` s.
+    pub fn known_before(&self, time: f64) -> Next {
+        let Ok(known) = self.known.lock() else { return Next::Start(self.first) };
+        if let Some(tail) = known.tail.filter(|tail| tail.first().time(&self.reduced) <= time) {
+            return Next::Tail(Box::new(tail));
+        }
+        let later = known.starts.partition_point(|start| start.time(&self.reduced) <= time);
+        Next::Start(known.starts[later.saturating_sub(1)])
+    }
+
+    pub fn first(&self) -> Start {
+        self.first
+    }
+
+    /// Whether the linear part of the motion swings for ever.
+    pub fn swings_on(&self) -> bool {
+        self.taylor.half_period.is_some()
+    }
+}

@@ -1,0 +1,21 @@
+//! One swing, the stretch between two turning points, one file per way of solving it.
+//!
+//! All work in the same frame: time τ = ω0 t since the start of the swing, lengths in metres,
+//! velocity w = dy/dτ, and the mass moving in the negative direction about the centre of the swing,
+//! which Coulomb friction has shifted: y″ + 2ζ y′ − κ y′² + y = 0 with y′ ≤ 0.
+
+pub(crate) mod first_integral;
+pub(crate) mod linear;
+pub(crate) mod piece;
+pub(crate) mod taylor;
+
+use twofloat::TwoFloat;
+
+/// How a swing ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum End {
+    /// The velocity becomes zero after the time `tau`, at `y`.
+    Reversal { tau: TwoFloat, y: TwoFloat },
+    /// From here on Newton friction is below rounding: the linear motion takes over.
+    Linear { tau: f64, y: f64, w: f64 },
+}
