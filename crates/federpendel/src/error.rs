@@ -60,6 +60,16 @@ pub enum Error {
         /// The length needed.
         expected: usize,
     },
+    /// Numbers that must not fall do.
+    #[error("{name} holds {value} after {before}; allowed is an order that does not fall")]
+    Order {
+        /// Name of the list.
+        name: &'static str,
+        /// The value that lies too low.
+        value: f64,
+        /// The value ahead of it.
+        before: f64,
+    },
     /// The article gives no formula for this mix of friction.
     #[error("the article solves no friction, Stokes or Coulomb friction alone; not {mix}")]
     NotInArticle {

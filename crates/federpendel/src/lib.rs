@@ -2,6 +2,7 @@
 //! (quadratic) friction, or any mix of them: swing by swing, as exactly as each mix allows.
 
 mod chain;
+mod double;
 pub mod energy;
 pub mod error;
 pub mod friction;

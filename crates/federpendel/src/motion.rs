@@ -218,6 +218,10 @@ impl Motion {
         })
     }
 
+    pub(crate) fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
     pub(crate) fn cursor(&self, dense: bool) -> Cursor<'_> {
         Cursor::new(self.oscillator.reduced(), &self.chain, dense)
     }
@@ -239,7 +243,7 @@ impl Motion {
     }
 
     /// The sample at `time` on the swing under the cursor, which must hold it.
-    fn sample_on(&self, cursor: &Cursor, time: f64) -> Sample {
+    pub(crate) fn sample_on(&self, cursor: &Cursor, time: f64) -> Sample {
         let start = cursor.start();
         if start.rests() {
             let position = start.x.into();
@@ -247,7 +251,7 @@ impl Motion {
         }
         let reduced = self.oscillator.reduced();
         let (omega0, zeta, kappa) = (reduced.omega0.hi(), reduced.zeta.hi(), reduced.kappa);
-        let (y, w) = cursor.framed(time);
+        let (y, w) = cursor.framed_at(cursor.tau(time));
         let side = -start.direction;
         Sample {
             time,

@@ -128,10 +128,6 @@ impl<'m> Cursor<'m> {
         &self.start
     }
 
-    pub fn from(&self) -> f64 {
-        self.from
-    }
-
     pub fn until(&self) -> f64 {
         self.until
     }
@@ -148,9 +144,23 @@ impl<'m> Cursor<'m> {
         &self.pieces
     }
 
-    /// (y, w) in the frame of the swing at `time`, which it must hold.
-    pub fn framed(&self, time: f64) -> (f64, f64) {
-        let tau = f64::from(self.reduced.omega0 * time - self.start.tau).max(0.0);
+    /// Time since the start of the swing, ω0 t, at `time` (s), which it must hold.
+    pub fn tau(&self, time: f64) -> f64 {
+        f64::from(self.reduced.omega0 * time - self.start.tau).max(0.0)
+    }
+
+    /// Duration of the swing, ω0 t; infinite if it never ends.
+    pub fn duration(&self) -> f64 {
+        let next = match &self.next {
+            None => return f64::INFINITY,
+            Some(Next::Start(next)) => *next,
+            Some(Next::Tail(chain)) => chain.first(),
+        };
+        (next.tau - self.start.tau).into()
+    }
+
+    /// (y, w) in the frame of the swing, `tau` after its start.
+    pub fn framed_at(&self, tau: f64) -> (f64, f64) {
         match &self.course {
             Course::Linear(chain) => {
                 let (y, w) = self.start.framed(self.reduced.offset);

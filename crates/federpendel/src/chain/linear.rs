@@ -4,6 +4,7 @@ use twofloat::TwoFloat;
 use twofloat::consts::PI;
 
 use crate::chain::Start;
+use crate::double;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
 use crate::swing::linear::Propagator;
@@ -75,6 +76,37 @@ impl LinearChain {
 
     pub fn last(&self) -> Last {
         self.last
+    }
+
+    /// Duration of a swing from rest, ω0 t.
+    pub fn repeat_duration(&self) -> Option<f64> {
+        self.repeat.map(|(duration, _)| duration.into())
+    }
+
+    /// Factor e^(−q) between the ends of a swing from rest, measured from its own centre; zero where it
+    /// does not end.
+    pub fn ratio(&self) -> TwoFloat {
+        self.repeat.map_or(0.0.into(), |(_, decrement)| double::exp(-decrement))
+    }
+
+    /// ΣY and ΣY² over `count` swings from rest, the first from `start`, with Y the distance of each start
+    /// from the centre of its swing.
+    ///
+    /// Y' = rY − 2f, so Y after n swings and both sums are polynomials in Y; those of 2n swings follow from
+    /// those of n, and no term cancels on the way.
+    pub fn sums(&self, start: &Start, count: u64) -> (TwoFloat, TwoFloat) {
+        let (y, _) = start.framed(self.reduced.offset);
+        let mut power = SwingSums::one(self.ratio(), self.reduced.offset);
+        let mut total = SwingSums::none();
+        let mut rest = count;
+        while rest > 0 {
+            if rest & 1 == 1 {
+                total = total.then(&power);
+            }
+            power = power.then(&power);
+            rest >>= 1;
+        }
+        total.at(y)
     }
 
     fn first_from_rest(&self) -> Option<Start> {
@@ -191,4 +223,46 @@ fn swings_until(a: f64, band: f64, offset: f64, decrement: f64) -> f64 {
     let fixed = if offset == 0.0 { 0.0 } else { offset / (0.5 * decrement).tanh() };
     let damped = ((a - band) / (band + fixed)).ln_1p() / decrement;
     if damped.is_finite() { damped.ceil() } else { without_damping.ceil() }
+}
+
+/// In double-double, since the ratio is raised to a power as large as the number of swings.
+/// For a number of swings: Y' = `a` Y − `b`, ΣY = `p` Y − `q`, ΣY² = `s` Y² − `t` Y + `u`.
+#[derive(Debug, Clone, Copy)]
+struct SwingSums {
+    a: TwoFloat,
+    b: TwoFloat,
+    p: TwoFloat,
+    q: TwoFloat,
+    s: TwoFloat,
+    t: TwoFloat,
+    u: TwoFloat,
+}
+
+impl SwingSums {
+    fn none() -> Self {
+        let (zero, one) = (0.0.into(), 1.0.into());
+        SwingSums { a: one, b: zero, p: zero, q: zero, s: zero, t: zero, u: zero }
+    }
+
+    fn one(ratio: TwoFloat, offset: TwoFloat) -> Self {
+        let one = 1.0.into();
+        SwingSums { a: ratio, b: 2.0 * offset, p: one, s: one, ..Self::none() }
+    }
+
+    /// These swings, then those of `next`.
+    fn then(&self, next: &SwingSums) -> Self {
+        SwingSums {
+            a: self.a * next.a,
+            b: next.a * self.b + next.b,
+            p: self.p + next.p * self.a,
+            q: self.q + next.p * self.b + next.q,
+            s: self.s + next.s * self.a * self.a,
+            t: self.t + 2.0 * next.s * self.a * self.b + next.t * self.a,
+            u: self.u + next.s * self.b * self.b + next.t * self.b + next.u,
+        }
+    }
+
+    fn at(&self, y: TwoFloat) -> (TwoFloat, TwoFloat) {
+        (self.p * y - self.q, (self.s * y - self.t) * y + self.u)
+    }
 }

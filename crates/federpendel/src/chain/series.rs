@@ -6,6 +6,7 @@ use twofloat::consts::PI;
 
 use crate::chain::Start;
 use crate::chain::linear::LinearChain;
+use crate::double;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
 use crate::swing::End;
@@ -81,7 +82,8 @@ impl SeriesChain {
         let taylor = Taylor {
             propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
             half_period,
-            ratio: half_period.map_or(0.0.into(), |duration| (-(duration * reduced.zeta)).exp()),
+            ratio: half_period
+                .map_or(0.0.into(), |duration| double::exp(-(duration * reduced.zeta))),
             kappa: reduced.kappa,
             negligible: 0.03 * f64::EPSILON * amplitude,
         };
