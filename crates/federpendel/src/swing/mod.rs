@@ -4,9 +4,12 @@
 //! velocity w = dy/dτ, and the mass moving in the negative direction about the centre of the swing,
 //! which Coulomb friction has shifted: y″ + 2ζ y′ − κ y′² + y = 0 with y′ ≤ 0.
 
+pub(crate) mod collocation;
 pub(crate) mod first_integral;
 pub(crate) mod linear;
 pub(crate) mod piece;
+#[cfg_attr(not(test), expect(dead_code, reason = "the chain does not choose it yet"))]
+pub(crate) mod stiff;
 pub(crate) mod taylor;
 
 use twofloat::TwoFloat;
