@@ -1,0 +1,1 @@
+"""Reference problems of a rubbed spring pendulum, computed twice at high precision."""
