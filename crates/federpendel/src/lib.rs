@@ -9,6 +9,7 @@ pub mod friction;
 pub mod motion;
 pub mod oscillator;
 pub mod parameter;
+mod sampling;
 mod sticking;
 mod swing;
 

@@ -9,6 +9,7 @@ use crate::chain::{Chain, Start};
 use crate::error::{Error, Result};
 use crate::oscillator::{Oscillator, State};
 use crate::parameter;
+use crate::sampling::{self, Times};
 use crate::sticking::Sticking;
 
 /// Which way the mass moves.
@@ -290,13 +291,7 @@ impl Motion {
                 return Err(Error::Length { name, found, expected: times.len() });
             }
         }
-        let mut cursor = self.cursor(true);
-        for ((&time, x), v) in times.iter().zip(positions).zip(velocities) {
-            cursor.seek(&self.chain, parameter::TIME.check(time)?)?;
-            let sample = self.sample_on(&cursor, time);
-            (*x, *v) = (sample.position, sample.velocity);
-        }
-        Ok(())
+        sampling::fill(self, &Times::Any(times), positions, velocities)
     }
 
     /// Positions (m) and velocities (m/s) at the even times `duration`·i/(n − 1), i = 0 … n − 1, with n
@@ -310,7 +305,14 @@ impl Motion {
         positions: &mut [f64],
         velocities: &mut [f64],
     ) -> Result<()> {
-        self.sample(&even_times(duration, positions.len())?, positions, velocities)
+        parameter::DURATION.check(duration)?;
+        parameter::SAMPLES.check(positions.len() as f64)?;
+        if velocities.len() != positions.len() {
+            let (found, expected) = (velocities.len(), positions.len());
+            return Err(Error::Length { name: "velocities", found, expected });
+        }
+        let last = (positions.len() - 1) as f64;
+        sampling::fill(self, &Times::Even { duration, last }, positions, velocities)
     }
 
     /// All turning points with t > 0, in order, one at a time; endless if the mass never rests.

@@ -103,6 +103,7 @@ impl<'m> Cursor<'m> {
             self.course = Course::Series(series);
             self.take_up(series.known_before(time));
         }
+        let wanted = self.dense;
         loop {
             if let Course::Linear(linear) = &self.course {
                 let tau = self.reduced.omega0 * time;
@@ -111,11 +112,17 @@ impl<'m> Cursor<'m> {
                 return Ok(());
             }
             if time < self.until {
+                if wanted && !self.dense {
+                    self.dense = true;
+                    self.enter(self.start);
+                }
                 return Ok(());
             }
             if self.start.index >= MOST_SWINGS {
                 return Err(self.lost(time));
             }
+            // Swings on the way need no states between their ends.
+            self.dense = wanted && self.until + 1.5 * (self.until - self.from) > time;
             self.advance();
         }
     }
@@ -126,6 +133,10 @@ impl<'m> Cursor<'m> {
 
     pub fn start(&self) -> &Start {
         &self.start
+    }
+
+    pub fn from(&self) -> f64 {
+        self.from
     }
 
     pub fn until(&self) -> f64 {
@@ -166,10 +177,14 @@ impl<'m> Cursor<'m> {
                 let (y, w) = self.start.framed(self.reduced.offset);
                 chain.propagator().state(tau, y.into(), w)
             }
-            Course::Series(_) => {
-                let later = self.pieces.partition_point(|piece| piece.start <= tau);
-                self.pieces[later - 1].state(tau)
-            }
+            Course::Series(_) => self.piece_at(tau).0.state(tau),
         }
+    }
+
+    /// The piece that holds the time `tau` of a swing that is a series, and where it ends.
+    pub fn piece_at(&self, tau: f64) -> (&Piece, f64) {
+        let later = self.pieces.partition_point(|piece| piece.start <= tau);
+        let end = self.pieces.get(later).map_or_else(|| self.duration(), |piece| piece.start);
+        (&self.pieces[later - 1], end)
     }
 }

@@ -1,5 +1,7 @@
 //! A stretch of a swing as a polynomial: the dense output of every series.
 
+use crate::sampling::lanes::mul_add;
+
 /// Degree of the polynomials.
 pub(crate) const DEGREE: usize = 24;
 
@@ -18,12 +20,31 @@ impl Piece {
     /// (y, w) at the time `tau` of the swing.
     pub fn state(&self, tau: f64) -> (f64, f64) {
         let u = (tau - self.center) * self.inverse_scale;
-        (horner(&self.position, u), horner(&self.velocity, u))
+        (horner::<false>(&self.position, u), horner::<false>(&self.velocity, u))
+    }
+
+    /// The degree that is enough for this piece if it ends at `end`.
+    pub fn degree(&self, end: f64) -> usize {
+        let reach = (self.start - self.center).abs().max((end - self.center).abs());
+        let u = reach * self.inverse_scale;
+        let size = 1e-17 * self.position[0].abs().max(self.velocity[0].abs());
+        let (mut degree, mut power) = (0, 1.0);
+        for n in 0..=DEGREE {
+            if self.velocity[n].abs().max(self.position[n].abs()) * power > size {
+                degree = n;
+            }
+            power *= u;
+        }
+        degree
     }
 }
 
 /// The value of the polynomial with these coefficients, lowest first.
-#[inline]
-pub(crate) fn horner(coefficients: &[f64], u: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| sum * u + c)
+#[inline(always)]
+pub(crate) fn horner<const FUSED: bool>(coefficients: &[f64], u: f64) -> f64 {
+    let mut sum = 0.0;
+    for c in coefficients.iter().rev() {
+        sum = mul_add::<FUSED>(sum, u, *c);
+    }
+    sum
 }

@@ -189,20 +189,20 @@ impl Step {
         // Newton's method on the polynomial, kept inside the bracket by bisection.
         let mut u = 0.5 * (low + high);
         for _ in 0..60 {
-            let w = horner(&velocity, u);
+            let w = horner::<false>(&velocity, u);
             if w < 0.0 {
                 low = u
             } else {
                 high = u
             }
-            let newton = u - w / horner(&slope, u);
+            let newton = u - w / horner::<false>(&slope, u);
             let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
             if (next - u).abs() <= 1e-17 {
                 break;
             }
             u = next;
         }
-        Some((0.5 * self.length * (1.0 + u), horner(&position, u)))
+        Some((0.5 * self.length * (1.0 + u), horner::<false>(&position, u)))
     }
 }
 

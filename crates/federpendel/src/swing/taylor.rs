@@ -6,8 +6,10 @@
 //! motion only through z, which is small where the drag is weak: that is what keeps
 //! millions of swings accurate.
 
+use pulp::{Simd, WithSimd};
 use twofloat::TwoFloat;
 
+use crate::sampling::lanes::mul_add;
 use crate::swing::End;
 use crate::swing::linear::Propagator;
 use crate::swing::piece::{DEGREE, Piece, horner};
@@ -64,10 +66,11 @@ impl<'a> LinearPart<'a> {
     }
 }
 
-/// Coefficients about one centre, of z and of y = L + z.
+/// Coefficients about one centre, of z, of y = L + z and of y′.
 struct Expansion {
     y: [f64; DEGREE + 1],
     z: [f64; DEGREE + 1],
+    p: [f64; DEGREE + 1],
     /// Up to here, either way, the series is good to rounding.
     radius: f64,
 }
@@ -80,47 +83,70 @@ const TRUNCATION: f64 = 1e-18;
 const MOST_STEPS: usize = 1 << 21;
 
 impl Taylor {
-    fn expand(&self, (l0, l1): (f64, f64), (z0, z1): (f64, f64)) -> Expansion {
+    /// With p, q the coefficients of y′ and z′:
+    /// (n + 1) qₙ₊₁ = κ Σ pⱼpₙ₋ⱼ − 2ζ qₙ − zₙ, and the same without the sum for L.
+    #[inline(always)]
+    fn expand<const FUSED: bool>(&self, (l0, l1): (f64, f64), (z0, z1): (f64, f64)) -> Expansion {
         let damping = 2.0 * self.propagator.zeta();
-        let (mut l, mut z) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        // Coefficients of the velocity y′.
-        let mut p = [0.0; DEGREE + 1];
-        (l[0], l[1], z[0], z[1], p[0]) = (l0, l1, z0, z1, l1 + z1);
-        for n in 0..DEGREE - 1 {
+        let (mut y, mut z, mut p) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1], [0.0; DEGREE + 1]);
+        (y[0], z[0], p[0]) = (l0 + z0, z0, l1 + z1);
+        (y[1], z[1]) = (p[0], z1);
+        let mut l = l1;
+        let mut l_slope = -mul_add::<FUSED>(damping, l1, l0);
+        let mut q = self.kappa * p[0] * p[0] - mul_add::<FUSED>(damping, z1, z0);
+        p[1] = l_slope + q;
+        // The newest coefficient enters the sum twice, with p₀: that term is added last, so that all
+        // others can be summed before it is known.
+        let newest = 2.0 * self.kappa * p[0];
+        for n in 1..DEGREE {
             let inverse = INVERSE[n];
-            let k = (n + 1) as f64;
-            l[n + 2] = -(damping * k * l[n + 1] + l[n]) * inverse;
-            let square = self.kappa * cauchy_square(&p, n);
-            z[n + 2] = (square - damping * k * z[n + 1] - z[n]) * inverse;
-            p[n + 1] = (k + 1.0) * (l[n + 2] + z[n + 2]);
+            let z_next = q * inverse;
+            let l_next = l_slope * inverse;
+            z[n + 1] = z_next;
+            y[n + 1] = l_next + z_next;
+            let sum = square_without_newest::<FUSED>(&p, n);
+            let rest = mul_add::<FUSED>(self.kappa, sum, -mul_add::<FUSED>(damping, q, z[n]));
+            q = mul_add::<FUSED>(newest, p[n], rest) * inverse;
+            l_slope = -mul_add::<FUSED>(damping, l_slope, l) * inverse;
+            l = l_next;
+            p[n + 1] = l_slope + q;
         }
-        let y = std::array::from_fn(|n| l[n] + z[n]);
-        Expansion { radius: radius(&y), y, z }
+        Expansion { radius: radius(&y), y, z, p }
     }
 
     /// Follows the swing from (y0, w0) to its end and leaves its pieces in `pieces`, if given.
-    pub fn solve(&self, y0: TwoFloat, w0: f64, mut pieces: Option<&mut Vec<Piece>>) -> End {
+    pub fn solve(&self, y0: TwoFloat, w0: f64, pieces: Option<&mut Vec<Piece>>) -> End {
+        pulp::Arch::new().dispatch(Solve { taylor: self, y0, w0, pieces })
+    }
+
+    #[inline(always)]
+    fn follow<const FUSED: bool>(
+        &self,
+        y0: TwoFloat,
+        w0: f64,
+        mut pieces: Option<&mut Vec<Piece>>,
+    ) -> End {
         let linear = LinearPart::new(self, y0, w0);
-        let (mut tau, mut z) = (0.0, (0.0, 0.0));
+        let (mut tau, mut l, mut z) = (0.0, (y0.into(), w0), (0.0, 0.0));
         if let Some(pieces) = pieces.as_deref_mut() {
             pieces.clear();
         }
         for _ in 0..MOST_STEPS {
-            let expansion = self.expand(linear.state(tau), z);
+            let expansion = self.expand::<FUSED>(l, z);
             keep(pieces.as_deref_mut(), tau, &expansion);
             let step = expansion.radius;
-            let next = linear.state(tau + step);
-            let next_z = (horner(&expansion.z, step), slope(&expansion.z, step));
-            if next.1 + next_z.1 >= 0.0 {
-                let root = reversal(&expansion.y, step);
-                let z = (horner(&expansion.z, root), slope(&expansion.z, root));
-                return self.end(&linear, tau + root, z, pieces);
+            l = linear.state(tau + step);
+            let next = (horner::<FUSED>(&expansion.z, step), slope::<FUSED>(&expansion.z, step));
+            if l.1 + next.1 >= 0.0 {
+                let guess = self.half_period.map_or(step, |duration| duration.hi() - tau);
+                let root = reversal::<FUSED>(&expansion.p, guess, step);
+                let z = (horner::<FUSED>(&expansion.z, root), slope::<FUSED>(&expansion.z, root));
+                return self.end::<FUSED>(&linear, tau + root, z, pieces);
             }
-            (tau, z) = (tau + step, next_z);
-            let (y, w) = (next.0 + z.0, next.1 + z.1);
-            if self.half_period.is_none()
-                && self.kappa * y.abs().max(w.abs()).powi(2) < self.negligible
-            {
+            (tau, z) = (tau + step, next);
+            let (y, w) = (l.0 + z.0, l.1 + z.1);
+            let largest = y.abs().max(w.abs());
+            if self.half_period.is_none() && self.kappa * largest * largest < self.negligible {
                 return End::Linear { tau, y, w };
             }
         }
@@ -129,7 +155,8 @@ impl Taylor {
 
     /// The end of the swing, `tau` being the reversal up to rounding: one Newton step from the
     /// accurate state there.
-    fn end(
+    #[inline(always)]
+    fn end<const FUSED: bool>(
         &self,
         linear: &LinearPart,
         tau: f64,
@@ -140,61 +167,99 @@ impl Taylor {
         let y = place + z.0;
         let w = speed + z.1;
         if pieces.is_some() {
-            keep(pieces, tau, &self.expand((place.into(), speed), z));
+            keep(pieces, tau, &self.expand::<FUSED>((place.into(), speed), z));
         }
         // y″ = −y where w vanishes.
         End::Reversal { tau: time + w / f64::from(y), y: y + 0.5 * w * w / f64::from(y) }
     }
 }
 
-/// 1/((n + 1)(n + 2)).
+/// A call of [`Taylor::solve`], compiled for the instructions of the machine.
+struct Solve<'a> {
+    taylor: &'a Taylor,
+    y0: TwoFloat,
+    w0: f64,
+    pieces: Option<&'a mut Vec<Piece>>,
+}
+
+impl WithSimd for Solve<'_> {
+    type Output = End;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> End {
+        let Solve { taylor, y0, w0, pieces } = self;
+        if S::IS_SCALAR {
+            taylor.follow::<false>(y0, w0, pieces)
+        } else {
+            taylor.follow::<true>(y0, w0, pieces)
+        }
+    }
+}
+
+/// 1/(n + 1).
 const INVERSE: [f64; DEGREE] = {
     let mut table = [0.0; DEGREE];
     let mut n = 0;
     while n < DEGREE {
-        table[n] = 1.0 / ((n + 1) * (n + 2)) as f64;
+        table[n] = 1.0 / (n + 1) as f64;
         n += 1;
     }
     table
 };
 
-/// Coefficient n of the square of the series `p`.
-#[inline]
-fn cauchy_square(p: &[f64; DEGREE + 1], n: usize) -> f64 {
+/// Coefficient n ≥ 1 of the square of the series `p`, without the terms that hold pₙ.
+#[inline(always)]
+fn square_without_newest<const FUSED: bool>(p: &[f64; DEGREE + 1], n: usize) -> f64 {
+    // Two sums at a time: one would wait for each of its additions.
+    let (mut even, mut odd) = (0.0, 0.0);
     let half = n.div_ceil(2);
-    let twice =
-        p[..half].iter().zip(p[n + 1 - half..=n].iter().rev()).fold(0.0, |s, (a, b)| s + a * b);
+    let mut j = 1;
+    while j + 1 < half {
+        even = mul_add::<FUSED>(p[j], p[n - j], even);
+        odd = mul_add::<FUSED>(p[j + 1], p[n - j - 1], odd);
+        j += 2;
+    }
+    if j < half {
+        even = mul_add::<FUSED>(p[j], p[n - j], even);
+    }
     let middle = if n.is_multiple_of(2) { p[n / 2] * p[n / 2] } else { 0.0 };
-    2.0 * twice + middle
+    mul_add::<FUSED>(2.0, even + odd, middle)
 }
 
 /// How far the series may be trusted, from the size of its last two coefficients.
 fn radius(y: &[f64; DEGREE + 1]) -> f64 {
     let size = TRUNCATION * y[0].abs().max(y[1].abs());
-    let reach = |n: usize| (size / (n as f64 * y[n].abs())).powf(1.0 / n as f64);
-    reach(DEGREE).min(reach(DEGREE - 1)).min(LONGEST)
+    let reach = |n: usize| {
+        let ratio = size / (n as f64 * y[n].abs());
+        if ratio >= LONGEST.powi(n as i32) { LONGEST } else { ratio.powf(1.0 / n as f64) }
+    };
+    reach(DEGREE).min(reach(DEGREE - 1))
 }
 
 /// Derivative of the polynomial at `u`.
-fn slope(coefficients: &[f64; DEGREE + 1], u: f64) -> f64 {
-    (1..=DEGREE).rev().fold(0.0, |sum, n| sum * u + n as f64 * coefficients[n])
+#[inline(always)]
+fn slope<const FUSED: bool>(coefficients: &[f64; DEGREE + 1], u: f64) -> f64 {
+    let mut sum = 0.0;
+    for n in (1..=DEGREE).rev() {
+        sum = mul_add::<FUSED>(sum, u, n as f64 * coefficients[n]);
+    }
+    sum
 }
 
-/// The time within `step` at which the velocity of the series rises through zero: Newton's method
-/// kept inside a bracket.
-fn reversal(y: &[f64; DEGREE + 1], step: f64) -> f64 {
-    let velocity: [f64; DEGREE + 1] =
-        std::array::from_fn(|n| if n < DEGREE { (n + 1) as f64 * y[n + 1] } else { 0.0 });
+/// The time within `step` at which the velocity, a series `p`, rises through zero: Newton's method
+/// from `guess`, kept inside a bracket.
+#[inline(always)]
+fn reversal<const FUSED: bool>(p: &[f64; DEGREE + 1], guess: f64, step: f64) -> f64 {
     let (mut low, mut high) = (0.0, step);
-    let mut u = step;
+    let mut u = if guess > low && guess < high { guess } else { step };
     for _ in 0..100 {
-        let w = horner(&velocity, u);
+        let w = horner::<FUSED>(p, u);
         if w >= 0.0 {
             high = u;
         } else {
             low = u;
         }
-        let newton = u - w / slope(&velocity, u);
+        let newton = u - w / slope::<FUSED>(p, u);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - u).abs() <= 1e-9 * u || next == low || next == high {
             // The step after this one is below rounding; the caller takes it.
@@ -209,7 +274,6 @@ fn reversal(y: &[f64; DEGREE + 1], step: f64) -> f64 {
 fn keep(pieces: Option<&mut Vec<Piece>>, center: f64, expansion: &Expansion) {
     let Some(pieces) = pieces else { return };
     let start = pieces.last().map_or(0.0, |last| 0.5 * (last.center + center));
-    let velocity =
-        std::array::from_fn(|n| if n < DEGREE { (n + 1) as f64 * expansion.y[n + 1] } else { 0.0 });
-    pieces.push(Piece { start, center, inverse_scale: 1.0, position: expansion.y, velocity });
+    let (position, velocity) = (expansion.y, expansion.p);
+    pieces.push(Piece { start, center, inverse_scale: 1.0, position, velocity });
 }

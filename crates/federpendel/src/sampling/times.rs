@@ -1,0 +1,95 @@
+//! The times of a record: any, or an even grid.
+
+use crate::error::Result;
+use crate::parameter;
+use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
+
+/// The times of a record, s.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Times<'a> {
+    /// As given, in any order.
+    Any(&'a [f64]),
+    /// `duration`·i/`last` for i = 0 … `last`.
+    Even { duration: f64, last: f64 },
+}
+
+impl Times<'_> {
+    /// Time `i`, checked.
+    pub fn check(&self, i: usize) -> Result<f64> {
+        parameter::TIME.check(self.time(i))
+    }
+
+    pub fn time(&self, i: usize) -> f64 {
+        match *self {
+            Times::Any(times) => times[i],
+            Times::Even { duration, last } => duration * i as f64 / last,
+        }
+    }
+
+    /// End of the run of times from index `first` on that lie in `from` ≤ t < `until`.
+    pub fn run_end(&self, first: usize, from: f64, until: f64) -> usize {
+        let within = |time: &f64| from <= *time && *time < until;
+        match *self {
+            Times::Any(times) => {
+                let blocks = times[first..].chunks_exact(LANES);
+                let whole = blocks.take_while(|block| block.iter().all(within)).count() * LANES;
+                let rest = times[first + whole..].iter().take_while(|time| within(time)).count();
+                first + whole + rest
+            }
+            Times::Even { duration, last } => {
+                let estimate = (until / duration * last).ceil().clamp(0.0, last + 1.0);
+                let mut end = (estimate as usize).max(first + 1);
+                while end as f64 <= last && self.time(end) < until {
+                    end += 1;
+                }
+                while end > first + 1 && self.time(end - 1) >= until {
+                    end -= 1;
+                }
+                end
+            }
+        }
+    }
+
+    /// [`LANES`] times from index `i` on, of which those beyond the end of the record are any numbers.
+    #[inline(always)]
+    pub fn lanes<const FUSED: bool>(&self, i: usize) -> Lanes {
+        match *self {
+            Times::Any(times) => match times[i..].first_chunk() {
+                Some(chunk) => *chunk,
+                None => each(|k| times.get(i + k).copied().unwrap_or(0.0)),
+            },
+            Times::Even { duration, last } => {
+                let inverse = 1.0 / last;
+                each(|k| {
+                    // The rounded quotient without a division, by Markstein's correction.
+                    let product = duration * (i + k) as f64;
+                    let quotient = product * inverse;
+                    if !FUSED {
+                        return product / last;
+                    }
+                    let rest = mul_add::<FUSED>(-quotient, last, product);
+                    mul_add::<FUSED>(rest, inverse, quotient)
+                })
+            }
+        }
+    }
+}
+
+/// τ = ω0 t − `origin`, from double-double numbers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Clock {
+    pub omega: (f64, f64),
+    pub origin: (f64, f64),
+}
+
+impl Clock {
+    #[inline(always)]
+    pub fn read<const FUSED: bool>(&self, times: &Lanes) -> Lanes {
+        each(|i| {
+            let product = self.omega.0 * times[i];
+            let error = product_error::<FUSED>(self.omega.0, times[i], product);
+            let low = mul_add::<FUSED>(self.omega.1, times[i], error) - self.origin.1;
+            (product - self.origin.0) + low
+        })
+    }
+}
