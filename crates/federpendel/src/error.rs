@@ -76,6 +76,39 @@ pub enum Error {
         /// The mix asked for.
         mix: crate::friction::Mix,
     },
+    /// The article's solution holds in another regime of Stokes friction.
+    #[error("solution {solution} of the article does not hold for a {} oscillator", .regime.name())]
+    NoSuchSolution {
+        /// Number of the equation, or `overdamped` or `critical`.
+        solution: &'static str,
+        /// The regime of the oscillator.
+        regime: crate::oscillator::Regime,
+    },
+    /// The phase of a motion that does not move.
+    #[error("position and velocity are 0; a phase (article eq. 77) needs one that is not")]
+    NoPhase,
+    /// A numeric scheme left the finite numbers.
+    #[error("dt is {time_step} s; with it the scheme diverges at {time} s, a smaller one may hold")]
+    Diverged {
+        /// Time step of the scheme, s.
+        time_step: f64,
+        /// Time of the first step that is not finite, s.
+        time: f64,
+    },
+    /// A numeric scheme would need more steps than the limit allows.
+    #[error(
+        "time is {time} s; with dt = {time_step} s it needs {steps} steps, at most {limit} are taken"
+    )]
+    TooManySteps {
+        /// The time asked for, s.
+        time: f64,
+        /// Time step of the scheme, s.
+        time_step: f64,
+        /// Number of steps needed.
+        steps: f64,
+        /// Number of steps allowed.
+        limit: u64,
+    },
 }
 
 /// Result of everything here that checks its input.

@@ -1,6 +1,7 @@
 //! The motion of a mass on a spring, slowed by Stokes (viscous), Coulomb (dry, it sticks) or Newton
 //! (quadratic) friction, or any mix of them: swing by swing, as exactly as each mix allows.
 
+pub mod article;
 mod chain;
 mod double;
 pub mod energy;
@@ -10,6 +11,7 @@ pub mod motion;
 pub mod oscillator;
 pub mod parameter;
 mod sampling;
+pub mod scheme;
 mod sticking;
 mod swing;
 

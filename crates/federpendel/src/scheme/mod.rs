@@ -1,0 +1,3 @@
+//! Numeric schemes, to be held beside the exact motion; one file each.
+
+pub mod article;
