@@ -11,6 +11,7 @@ pub mod motion;
 pub mod oscillator;
 pub mod parameter;
 mod sampling;
+pub mod problems;
 pub mod scheme;
 mod sticking;
 mod swing;

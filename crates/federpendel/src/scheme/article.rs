@@ -112,6 +112,16 @@ impl Terms {
         sum
     }
 
+    /// The same where speed does not matter. Terms that do not act add 0, but for the square of a
+    /// quotient that overflows.
+    fn bracket_of_any_mix(&self, position: f64, quotient: f64) -> f64 {
+        if self.newton == 0.0 {
+            self.bracket::<true, true, false>(position, quotient)
+        } else {
+            self.bracket::<true, true, true>(position, quotient)
+        }
+    }
+
     /// One step of (51), (59), (85).
     #[inline(always)]
     fn advance<const STOKES: bool, const COULOMB: bool, const NEWTON: bool>(
@@ -182,7 +192,7 @@ impl Scheme {
             newton: friction.newton.map_or(0.0, |law| law.coefficient()) / mass,
         };
         let State { position, velocity } = release;
-        let bracket = terms.bracket::<true, true, true>(position, velocity);
+        let bracket = terms.bracket_of_any_mix(position, velocity);
         let first = position + velocity * time_step - 0.5 * terms.step_squared * bracket;
         if !(terms.step_squared.is_normal() && terms.per_step.is_normal()) {
             return Err(Error::Derived { quantity: "dt^2", value: terms.step_squared });
@@ -335,7 +345,7 @@ impl Scheme {
             let velocity = (pair.current - pair.previous) * self.terms.per_step;
             State { position: pair.current, velocity }
         };
-        let acceleration = -self.terms.bracket::<true, true, true>(position, velocity);
+        let acceleration = -self.terms.bracket_of_any_mix(position, velocity);
         let time = index as f64 * self.time_step();
         if position.is_finite() && velocity.is_finite() && acceleration.is_finite() {
             Ok(Step { index, time, position, velocity, acceleration })
