@@ -12,7 +12,10 @@
 //! order only without friction; it has a stability limit; and having no static friction it never
 //! comes to rest but chatters and creeps back to x = 0. The static coefficient has no effect here.
 
-use crate::article::{direction, friction_force};
+mod terms;
+
+use self::terms::{Pair, Terms};
+use crate::article::direction;
 use crate::error::{Error, Result};
 use crate::friction::Mix;
 use crate::motion::Sample;
@@ -64,92 +67,6 @@ pub struct Samples {
     pub interpolated: bool,
 }
 
-/// The coefficients of the step, each already over the mass.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Terms {
-    time_step: f64,
-    per_step: f64,
-    step_squared: f64,
-    spring: f64,
-    stokes: f64,
-    coulomb: f64,
-    newton: f64,
-}
-
-/// x_{i−1} and x_i.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Pair {
-    previous: f64,
-    current: f64,
-}
-
-/// `magnitude` with the sign of `velocity`, and 0 for velocity 0, the sign(0) of (57) that
-/// [`f64::signum`] does not know. It compiles to two masks, without a branch or a product.
-#[inline(always)]
-fn signed(magnitude: f64, velocity: f64) -> f64 {
-    if velocity == 0.0 { 0.0 } else { magnitude.copysign(velocity) }
-}
-
-impl Terms {
-    /// The bracket of (51), (59), (85): minus the acceleration at x with the quotient q.
-    #[inline(always)]
-    fn bracket<const STOKES: bool, const COULOMB: bool, const NEWTON: bool>(
-        &self,
-        position: f64,
-        quotient: f64,
-    ) -> f64 {
-        let mut sum = self.spring * position;
-        if STOKES {
-            sum += self.stokes * quotient;
-        }
-        if COULOMB {
-            sum += signed(self.coulomb, quotient);
-        }
-        if NEWTON {
-            // sign(q) q² without the sign: it is the same number.
-            sum += self.newton * (quotient * quotient.abs());
-        }
-        sum
-    }
-
-    /// The same where speed does not matter. Terms that do not act add 0, but for the square of a
-    /// quotient that overflows.
-    fn bracket_of_any_mix(&self, position: f64, quotient: f64) -> f64 {
-        if self.newton == 0.0 {
-            self.bracket::<true, true, false>(position, quotient)
-        } else {
-            self.bracket::<true, true, true>(position, quotient)
-        }
-    }
-
-    /// One step of (51), (59), (85).
-    #[inline(always)]
-    fn advance<const STOKES: bool, const COULOMB: bool, const NEWTON: bool>(
-        &self,
-        Pair { previous, current }: Pair,
-    ) -> Pair {
-        let quotient = (current - previous) * self.per_step;
-        let bracket = self.bracket::<STOKES, COULOMB, NEWTON>(current, quotient);
-        let next = 2.0 * current - previous - self.step_squared * bracket;
-        Pair { previous: current, current: next }
-    }
-
-    /// One step for each of `slots`, which `record` is given with the new position.
-    #[inline(always)]
-    fn march<const STOKES: bool, const COULOMB: bool, const NEWTON: bool, Slot>(
-        &self,
-        mut pair: Pair,
-        slots: impl Iterator<Item = Slot>,
-        record: impl Fn(Slot, f64),
-    ) -> Pair {
-        for slot in slots {
-            pair = self.advance::<STOKES, COULOMB, NEWTON>(pair);
-            record(slot, pair.current);
-        }
-        pair
-    }
-}
-
 impl Scheme {
     /// The time step that is taken when none is given: a thousandth of the period, s.
     ///
@@ -166,7 +83,7 @@ impl Scheme {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a time step or a release out of range, [`Error::Derived`] where Δt²
-    /// underflows, or a coefficient or the first step overflows.
+    /// overflows or underflows, [`Error::Diverged`] if the first step is not finite.
     ///
     /// ```
     /// use federpendel::scheme::article::Scheme;
@@ -181,16 +98,7 @@ impl Scheme {
     pub fn new(oscillator: &Oscillator, release: State, time_step: f64) -> Result<Self> {
         parameter::TIME_STEP.check(time_step)?;
         let release = State::new(release.position, release.velocity)?;
-        let (mass, friction) = (oscillator.mass(), oscillator.friction());
-        let terms = Terms {
-            time_step,
-            per_step: 1.0 / time_step,
-            step_squared: time_step * time_step,
-            spring: oscillator.stiffness() / mass,
-            stokes: friction.stokes.map_or(0.0, |law| law.damping()) / mass,
-            coulomb: friction_force(oscillator) / mass,
-            newton: friction.newton.map_or(0.0, |law| law.coefficient()) / mass,
-        };
+        let terms = Terms::new(oscillator, time_step);
         let State { position, velocity } = release;
         let bracket = terms.bracket_of_any_mix(position, velocity);
         let first = position + velocity * time_step - 0.5 * terms.step_squared * bracket;
@@ -200,7 +108,7 @@ impl Scheme {
         if !first.is_finite() {
             return Err(Error::Diverged { time_step, time: time_step });
         }
-        Ok(Self { release, mix: friction.mix(), terms, first })
+        Ok(Self { release, mix: oscillator.friction().mix(), terms, first })
     }
 
     /// The time step Δt, s.
