@@ -83,7 +83,7 @@ error-not-in-article = Der Artikel löst die Bewegung ohne Reibung, mit Stokessc
 
 ### Welche Reibung wirkt
 
-mix-none = keine Reibung
+mix-none = ohne Reibung
 mix-stokes = Stokessche Reibung
 mix-coulomb = Coulombsche Reibung
 mix-newton = Newtonsche Reibung
@@ -119,3 +119,16 @@ outcome-unknown = schwingt nach { $swings ->
     [one] { $swings } Halbschwingung
    *[other] { $swings } Halbschwingungen
 }, { $time }, noch immer; weiter wurde nicht verfolgt, ob sie je zur Ruhe kommt
+
+### Abbildungen
+
+plot-axis = { $name } { $symbol } in { $unit }
+plot-axis-pure = { $name } { $symbol }
+plot-time = Zeit
+plot-position = Auslenkung
+plot-envelope = Einhüllende
+plot-turning-points = Umkehrpunkte
+plot-rest = Ruhe: { $time }, { $position }
+plot-sticking-band = Haftbereich ±{ $offset }
+plot-motion-title = Federpendel, { $mix }
+plot-motion-description = { $title }: Auslenkung über { $duration }, ab { $start } beim Loslassen, zwischen { $lowest } und { $highest }. Die Masse { $outcome }.

@@ -83,7 +83,7 @@ error-not-in-article = The article solves motion without friction, with Stokes o
 
 ### Which laws of friction act
 
-mix-none = no friction
+mix-none = without friction
 mix-stokes = Stokes friction
 mix-coulomb = Coulomb friction
 mix-newton = Newton friction
@@ -119,3 +119,16 @@ outcome-unknown = still swings after { $swings ->
     [one] { $swings } swing
    *[other] { $swings } swings
 }, { $time }; whether it ever rests was not followed further
+
+### Plots
+
+plot-axis = { $name } { $symbol } in { $unit }
+plot-axis-pure = { $name } { $symbol }
+plot-time = Time
+plot-position = Displacement
+plot-envelope = Envelope
+plot-turning-points = Turning points
+plot-rest = Rest: { $time }, { $position }
+plot-sticking-band = Sticking band ±{ $offset }
+plot-motion-title = Mass on a spring, { $mix }
+plot-motion-description = { $title }: displacement over { $duration }, from { $start } at the release, between { $lowest } and { $highest }. The mass { $outcome }.

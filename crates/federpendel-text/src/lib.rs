@@ -20,6 +20,7 @@ mod catalogue;
 mod describe;
 mod language;
 mod number;
+pub mod plot;
 
 pub use catalogue::{Catalogue, Value};
 pub use describe::ParameterText;

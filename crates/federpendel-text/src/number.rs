@@ -48,6 +48,17 @@ impl Catalogue {
     }
 }
 
+/// As [`readable_unit`] for the numbers along an axis, on which long times are in minutes, hours or
+/// days.
+pub(crate) fn axis_unit(magnitude: f64, unit: &str) -> (&str, f64) {
+    match unit {
+        "s" if magnitude >= 3.0 * 86400.0 => ("d", 86400.0),
+        "s" if magnitude >= 3.0 * 3600.0 => ("h", 3600.0),
+        "s" if magnitude >= 600.0 => ("min", 60.0),
+        _ => readable_unit(magnitude, unit),
+    }
+}
+
 /// The unit, and its size in SI, in which a quantity of `magnitude` in the SI unit `unit` reads well.
 pub(crate) fn readable_unit(magnitude: f64, unit: &str) -> (&str, f64) {
     let scale = SCALES.iter().find(|(name, _)| *name == unit).map(|(_, scale)| *scale);
