@@ -209,11 +209,18 @@ impl Plot {
         self.bands.push(Band { name: name.into(), low: low / size, high: high / size });
     }
 
-    /// What the horizontal axis spans: the points, edge to edge.
+    /// What the horizontal axis spans: the points, edge to edge unless that would cut a marker.
     fn x_span(&self) -> Span {
         let values =
             self.series.iter().flat_map(|series| series.points.iter().map(|point| point.0));
-        self.x.span(values)
+        let span = self.x.span(values);
+        let mut markers =
+            self.series.iter().filter(|series| matches!(series.style, Style::Markers(_)));
+        let on_edge = |point: &(f64, f64)| {
+            span.fraction(point.0).is_some_and(|fraction| !(0.01..=0.99).contains(&fraction))
+        };
+        let cut = markers.any(|series| series.points.iter().any(on_edge));
+        if cut { span.with_room(0.02) } else { span }
     }
 
     /// What the vertical axis spans: the points with some room, and the bands that are not so wide
@@ -225,7 +232,7 @@ impl Plot {
         });
         let span = self.y.span(points);
         let bands = self.bands.iter().flat_map(|band| [band.low, band.high]);
-        span.including(bands, 3.0).with_room()
+        span.including(bands, 3.0).with_room(0.05)
     }
 
     /// The series in the order in which they are drawn, the most important last.

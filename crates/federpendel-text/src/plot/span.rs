@@ -40,16 +40,15 @@ impl Span {
         if high - low <= most * (self.high - self.low) { Span { low, high, ..self } } else { self }
     }
 
-    /// The same span with some room at both ends.
-    pub fn with_room(self) -> Self {
-        const ROOM: f64 = 0.05;
+    /// The same span with room at both ends, each `share` of it wide.
+    pub fn with_room(self, share: f64) -> Self {
         match self.scale {
             Scale::Linear => {
-                let room = ROOM * (self.high - self.low);
+                let room = share * (self.high - self.low);
                 Span { low: self.low - room, high: self.high + room, ..self }
             }
             Scale::Logarithmic => {
-                let room = (self.high / self.low).powf(ROOM);
+                let room = (self.high / self.low).powf(share);
                 Span { low: self.low / room, high: self.high * room, ..self }
             }
         }
@@ -76,7 +75,7 @@ mod tests {
     fn spans_are_never_empty() {
         for values in [vec![], vec![0.0], vec![3.0], vec![-3.0, -3.0], vec![f64::NAN]] {
             for scale in [Scale::Linear, Scale::Logarithmic] {
-                let span = Span::of(values.iter().copied(), scale).with_room();
+                let span = Span::of(values.iter().copied(), scale).with_room(0.05);
                 assert!(span.low < span.high, "{values:?} {scale:?}");
             }
         }

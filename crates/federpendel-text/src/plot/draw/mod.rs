@@ -3,6 +3,7 @@
 
 mod braille;
 mod colour;
+mod dash;
 mod scene;
 mod terminal;
 

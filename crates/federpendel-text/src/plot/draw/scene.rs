@@ -13,7 +13,7 @@ use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use kuva::render::theme::Theme;
 
 use super::colour::{self, Background};
-use super::layers;
+use super::{dash, layers};
 use crate::plot::thin::thin;
 use crate::plot::{Dash, Marker, Plot, Scale, Series, Span, Style, ticks};
 
@@ -50,7 +50,7 @@ const MOST_TICKS: (usize, usize) = (9, 8);
 
 /// `plot` as an SVG document with its title and description for screen readers.
 pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
-    let scene = scene(plot, size, background, 1.0);
+    let scene = scene(plot, size, background);
     let (width, height) = (scene.width, scene.height);
     let drawing = SvgBackend::new().render_scene(&scene);
     // kuva writes neither a viewBox nor alternative text, so its opening tag is replaced.
@@ -76,13 +76,12 @@ pub fn png(
     background: Background,
     scale: f32,
 ) -> Result<Vec<u8>, DrawError> {
-    // kuva enlarges everything but the pieces of broken lines.
-    let scene = scene(plot, size, background, f64::from(scale));
+    let mut scene = scene(plot, size, background);
+    dash::spell_out(&mut scene);
     RasterBackend::new().with_scale(scale).render_scene(&scene).map_err(DrawError)
 }
 
-/// The scene, with the pieces of broken lines `piece` times as long as usual.
-fn scene(plot: &Plot, size: Size, background: Background, piece: f64) -> Scene {
+fn scene(plot: &Plot, size: Size, background: Background) -> Scene {
     let (x, y) = (plot.x_span(), plot.y_span());
     let room = (size.width / MARKER_ROOM) as usize;
     let bands = plot.bands.iter().map(|band| {
@@ -94,9 +93,9 @@ fn scene(plot: &Plot, size: Size, background: Background, piece: f64) -> Scene {
             .into()
     });
     let layers = layers(plot, room);
-    let series = layers.iter().map(|series| drawn(series, &x, size, background, piece));
+    let series = layers.iter().map(|series| drawn(series, &x, size, background));
     let drawn: Vec<Drawn> = bands.chain(series).collect();
-    let mut scene = render_multiple(drawn, layout(plot, &x, &y, size, background, piece));
+    let mut scene = render_multiple(drawn, layout(plot, &x, &y, size, background));
     name_vertical_axis(&mut scene, &plot.y.label);
     scene
 }
@@ -114,7 +113,7 @@ fn name_vertical_axis(scene: &mut Scene, label: &str) {
     }
 }
 
-fn drawn(series: &Series, x: &Span, size: Size, background: Background, piece: f64) -> Drawn {
+fn drawn(series: &Series, x: &Span, size: Size, background: Background) -> Drawn {
     let colour = colour::css(series.role, background);
     let points = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
         points.iter().copied().filter(|point| point.0.is_finite() && point.1.is_finite()).collect()
@@ -131,7 +130,7 @@ fn drawn(series: &Series, x: &Span, size: Size, background: Background, piece: f
             .with_data(points(&thin(&series.points, x, size.width as usize)))
             .with_color(colour)
             .with_stroke_width(LINE_WIDTH * width)
-            .with_line_style(line_style(dash, piece))
+            .with_line_style(line_style(dash))
             .into(),
         Style::Markers(marker) => ScatterPlot::new()
             .with_data(points(&series.points))
@@ -142,14 +141,7 @@ fn drawn(series: &Series, x: &Span, size: Size, background: Background, piece: f
     }
 }
 
-fn layout(
-    plot: &Plot,
-    x: &Span,
-    y: &Span,
-    size: Size,
-    background: Background,
-    piece: f64,
-) -> Layout {
+fn layout(plot: &Plot, x: &Span, y: &Span, size: Size, background: Background) -> Layout {
     let format = |span: Span, most: usize, language| {
         TickFormat::Custom(Arc::new(move |value| ticks::label(value, &span, most, language)))
     };
@@ -171,7 +163,7 @@ fn layout(
         .with_theme(theme(background))
         .with_legend_position(LegendPosition::OutsideBottomColumns)
         .with_legend_box(false)
-        .with_legend_entries(legend(plot, size, background, piece));
+        .with_legend_entries(legend(plot, size, background));
     layout = match x.scale {
         Scale::Linear => layout.with_x_tick_step(ticks::step(x, most_x)),
         Scale::Logarithmic => layout.with_log_x(),
@@ -182,13 +174,13 @@ fn layout(
     }
 }
 
-fn legend(plot: &Plot, size: Size, background: Background, piece: f64) -> Vec<LegendEntry> {
+fn legend(plot: &Plot, size: Size, background: Background) -> Vec<LegendEntry> {
     let room = (size.width / MARKER_ROOM) as usize;
     let shown = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
     let series = plot.series.iter().filter(shown).map(|series| {
         let (shape, dasharray) = match series.style {
             _ if series.lower.is_some() => (LegendShape::Rect, None),
-            Style::Line { dash, .. } => (LegendShape::Line, line_style(dash, piece).dasharray()),
+            Style::Line { dash, .. } => (LegendShape::Line, line_style(dash).dasharray()),
             Style::Markers(marker) => (LegendShape::Marker(marker_shape(marker)), None),
         };
         let color = colour::css(series.role, background).to_owned();
@@ -211,13 +203,11 @@ fn theme(background: Background) -> Theme {
     Theme { font_family: Some("sans-serif".into()), ..theme }
 }
 
-fn line_style(dash: Dash, piece: f64) -> LineStyle {
-    let pieces =
-        |shown: f64, gap: f64| LineStyle::Custom(format!("{} {}", shown * piece, gap * piece));
+fn line_style(dash: Dash) -> LineStyle {
     match dash {
         Dash::Solid => LineStyle::Solid,
-        Dash::Dashed => pieces(5.0, 3.5),
-        Dash::Dotted => pieces(2.0, 3.0),
+        Dash::Dashed => LineStyle::Custom("5 3.5".into()),
+        Dash::Dotted => LineStyle::Custom("2 3".into()),
     }
 }
 
