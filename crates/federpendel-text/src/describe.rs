@@ -73,7 +73,8 @@ impl Catalogue {
                 ],
             ),
             Error::Derived { quantity, value } => self.format(
-                "error-derived",
+                // An ordinary number that is refused lies beyond what can be computed.
+                if value.is_normal() { "error-derived-too-large" } else { "error-derived" },
                 &[
                     ("quantity", self.field(quantity).into()),
                     ("value", self.exact_quantity(value, "1").into()),
@@ -166,13 +167,21 @@ impl Catalogue {
         let id = if PARAMETERS.iter().any(|info| info.name == key) {
             parameter_id(key)
         } else {
-            format!("derived-{}", key.replace('_', "-"))
+            // The core may add an explanation in brackets to the name.
+            let name = key.split(" (").next().unwrap_or(key);
+            format!("derived-{}", name.replace(['_', ' '], "-"))
         };
         if !self.contains(&id) {
             return key.to_owned();
         }
         let name = self.text(&id);
-        if name.replace(' ', "_") == key { key.to_owned() } else { format!("{key} ({name})") }
+        if key.contains(' ') {
+            name
+        } else if name.replace(' ', "_") == key {
+            key.to_owned()
+        } else {
+            format!("{key} ({name})")
+        }
     }
 }
 
@@ -217,6 +226,7 @@ mod tests {
         let errors = [
             Error::NoNormalForce { name: "gravity", value: 0.0 },
             Error::Derived { quantity: "angular_frequency", value: f64::INFINITY },
+            Error::Derived { quantity: "drag strength (newton_rate times amplitude)", value: 1e6 },
             Error::TooManySwings { time: 1e9, reached: 123.0, swings: 10_000_000 },
             Error::Length { name: "velocities", found: 3, expected: 4 },
             Error::NotInArticle { mix: Mix { stokes: true, coulomb: true, newton: true } },

@@ -9,8 +9,8 @@ use crate::plot::{Band, Dash, Marker, Plot, Role, Series, Span, Style};
 /// Fewest columns and rows in which there is something to see.
 const SMALLEST: (usize, usize) = (24, 8);
 
-/// `plot` as lines of text, at most `columns` wide and about `rows` high (the legend may need more);
-/// with `colour`, in the colours of the terminal.
+/// `plot` as lines of text, at most `columns` wide (from 60 on; the title keeps its length) and about
+/// `rows` high (the legend may need more); with `colour`, in the colours of the terminal.
 pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> String {
     let (columns, rows) = (columns.max(SMALLEST.0), rows.max(SMALLEST.1));
     let (x, y) = (plot.x_span(), plot.y_span());
