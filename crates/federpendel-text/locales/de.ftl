@@ -81,6 +81,11 @@ error-length = { $name } hat { $found ->
     [one] { $found } Element
    *[other] { $found } Elemente
 }; nötig sind { $expected }
+error-order = { $name } enthält { $value } nach { $before }; erlaubt ist eine Reihenfolge, die nicht fällt
+error-no-such-solution = Die Lösung { $solution } des Artikels gilt hier nicht; die Dämpfung ist: { $regime }
+error-no-phase = Auslenkung und Geschwindigkeit sind 0; eine Phase (Gleichung 77 des Artikels) braucht eine von 0 verschiedene
+error-diverged = { $name } ist { $step }; damit läuft das Verfahren bei { $time } davon, ein kleinerer Schritt kann halten
+error-too-many-steps = { $name } ist { $step }; bis { $time } sind das { $steps } Schritte, höchstens { $limit } werden gerechnet
 error-not-in-article = Der Artikel löst die Bewegung ohne Reibung, mit Stokesscher oder mit Coulombscher Reibung; diese nicht: { $mix }
 
 ### Welche Reibung wirkt

@@ -81,6 +81,11 @@ error-length = { $name } has { $found ->
     [one] { $found } element
    *[other] { $found } elements
 }; { $expected } are needed
+error-order = { $name } holds { $value } after { $before }; allowed is an order that does not fall
+error-no-such-solution = The article’s solution { $solution } does not hold here; the oscillator is { $regime }
+error-no-phase = Position and velocity are 0; a phase (equation 77 of the article) needs one that is not
+error-diverged = { $name } is { $step }; with it the scheme diverges at { $time }, a smaller step may hold
+error-too-many-steps = { $name } is { $step }; up to { $time } that makes { $steps } steps, at most { $limit } are taken
 error-not-in-article = The article solves motion without friction, with Stokes or with Coulomb friction; not with { $mix }
 
 ### Which laws of friction act

@@ -18,6 +18,7 @@
 
 mod catalogue;
 mod describe;
+mod error;
 mod language;
 mod number;
 pub mod plot;

@@ -1,0 +1,191 @@
+//! The errors of the core in words.
+
+use federpendel::Error;
+use federpendel::parameter::PARAMETERS;
+
+use crate::catalogue::Catalogue;
+use crate::describe::{DIGITS, parameter_id};
+
+impl Catalogue {
+    /// An error of the core: one sentence that names the field, its value and what is allowed.
+    pub fn error(&self, error: &Error) -> String {
+        match *error {
+            Error::Parameter { name, value, range } => self.format(
+                "error-parameter",
+                &[
+                    ("name", self.field(name).into()),
+                    ("value", self.exact_quantity(value, unit(name)).into()),
+                    ("allowed", self.range(range).into()),
+                ],
+            ),
+            Error::StaticBelowKinetic { static_, kinetic } => self.format(
+                "error-static-below-kinetic",
+                &[
+                    ("name", self.field("static").into()),
+                    ("static", self.exact_quantity(static_, "1").into()),
+                    ("kinetic", self.exact_quantity(kinetic, "1").into()),
+                ],
+            ),
+            Error::NoNormalForce { name, value } => self.format(
+                "error-no-normal-force",
+                &[
+                    ("name", self.field(name).into()),
+                    ("value", self.exact_quantity(value, unit(name)).into()),
+                ],
+            ),
+            Error::Derived { quantity, value } => self.format(
+                // An ordinary number that is refused lies beyond what can be computed.
+                if value.is_normal() { "error-derived-too-large" } else { "error-derived" },
+                &[
+                    ("quantity", self.field(quantity).into()),
+                    ("value", self.exact_quantity(value, "1").into()),
+                ],
+            ),
+            Error::TooManySwings { time, reached, swings } => self.format(
+                "error-too-many-swings",
+                &[
+                    ("name", self.field("time").into()),
+                    ("time", self.exact_quantity(time, "s").into()),
+                    ("reached", self.quantity(reached, "s", DIGITS).into()),
+                    ("swings", swings.into()),
+                ],
+            ),
+            Error::Length { name, found, expected } => self.format(
+                "error-length",
+                &[("name", name.into()), ("found", found.into()), ("expected", expected.into())],
+            ),
+            Error::NotInArticle { mix } => {
+                self.format("error-not-in-article", &[("mix", self.mix(mix).into())])
+            }
+            Error::Order { name, value, before } => self.format(
+                "error-order",
+                &[
+                    ("name", name.into()),
+                    ("value", self.exact_quantity(value, "1").into()),
+                    ("before", self.exact_quantity(before, "1").into()),
+                ],
+            ),
+            Error::NoSuchSolution { solution, regime } => self.format(
+                "error-no-such-solution",
+                &[("solution", solution.into()), ("regime", self.regime(regime).into())],
+            ),
+            Error::NoPhase => self.text("error-no-phase"),
+            Error::Diverged { time_step, time } => self.format(
+                "error-diverged",
+                &[
+                    ("name", self.field("dt").into()),
+                    ("step", self.exact_quantity(time_step, "s").into()),
+                    ("time", self.quantity(time, "s", DIGITS).into()),
+                ],
+            ),
+            Error::TooManySteps { time, time_step, steps, limit } => self.format(
+                "error-too-many-steps",
+                &[
+                    ("name", self.field("dt").into()),
+                    ("step", self.exact_quantity(time_step, "s").into()),
+                    ("time", self.quantity(time, "s", DIGITS).into()),
+                    ("steps", self.number(steps, DIGITS).into()),
+                    ("limit", self.number(limit as f64, DIGITS).into()),
+                ],
+            ),
+            // The core may add errors; until they stand in the catalogue they speak for themselves.
+            _ => error.to_string(),
+        }
+    }
+
+    /// A field by its key and, where that is another word, what it is called: “mass (Masse)”.
+    fn field(&self, key: &str) -> String {
+        let id = if PARAMETERS.iter().any(|info| info.name == key) {
+            parameter_id(key)
+        } else {
+            // The core may add an explanation in brackets to the name.
+            let name = key.split(" (").next().unwrap_or(key);
+            format!("derived-{}", name.replace(['_', ' '], "-"))
+        };
+        if !self.contains(&id) {
+            return key.to_owned();
+        }
+        let name = self.text(&id);
+        if key.contains(' ') {
+            name
+        } else if name.replace(' ', "_") == key {
+            key.to_owned()
+        } else {
+            format!("{key} ({name})")
+        }
+    }
+}
+
+fn unit(name: &str) -> &'static str {
+    PARAMETERS.iter().find(|info| info.name == name).map_or("1", |info| info.unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use federpendel::parameter::Range;
+    use federpendel::{Mix, Regime};
+
+    use super::*;
+    use crate::language::Language;
+
+    #[test]
+    fn errors_name_field_value_and_what_is_allowed() {
+        let english = Catalogue::new(Language::English);
+        let german = Catalogue::new(Language::German);
+        let error = Error::Parameter { name: "mass", value: -0.5, range: Range::Positive };
+        assert_eq!(
+            english.error(&error),
+            "mass is -0.5 kg; allowed is a finite number greater than 0"
+        );
+        assert_eq!(
+            german.error(&error),
+            "mass (Masse) ist -0,5 kg; erlaubt ist eine endliche Zahl größer als 0"
+        );
+        let error = Error::StaticBelowKinetic { static_: 0.1, kinetic: 0.25 };
+        assert_eq!(
+            german.error(&error),
+            "static (Haftreibungszahl) ist 0,1; erlaubt ist mindestens die Gleitreibungszahl \
+             (kinetic), 0,25"
+        );
+    }
+
+    #[test]
+    fn every_error_of_the_core_is_known_here() {
+        let core = include_str!("../../federpendel/src/error.rs");
+        let body = core.split("pub enum Error {").nth(1).and_then(|rest| rest.split("\n}").next());
+        let variants = body.expect("the errors of the core").lines().filter_map(|line| {
+            let line = line.strip_prefix("    ")?;
+            line.starts_with(char::is_uppercase)
+                .then(|| line.trim_end_matches([' ', '{', ',', '(']))
+        });
+        let variants: Vec<_> = variants.collect();
+        assert!(variants.contains(&"Parameter") && variants.contains(&"NoPhase"), "{variants:?}");
+        for variant in variants {
+            let arm = format!("            Error::{variant}");
+            assert!(include_str!("error.rs").contains(&arm), "no sentence for {variant}");
+        }
+    }
+
+    #[test]
+    fn every_error_is_a_sentence_in_both_languages() {
+        let errors = [
+            Error::NoNormalForce { name: "gravity", value: 0.0 },
+            Error::Derived { quantity: "angular_frequency", value: f64::INFINITY },
+            Error::Derived { quantity: "drag strength (newton_rate times amplitude)", value: 1e6 },
+            Error::TooManySwings { time: 1e9, reached: 123.0, swings: 10_000_000 },
+            Error::Order { name: "times", value: 1.0, before: 2.0 },
+            Error::NoSuchSolution { solution: "critical", regime: Regime::Overdamped },
+            Error::NoPhase,
+            Error::Diverged { time_step: 1.0, time: 40.0 },
+            Error::TooManySteps { time: 1.0, time_step: 1e-12, steps: 1e12, limit: 1_000_000 },
+            Error::Length { name: "velocities", found: 3, expected: 4 },
+            Error::NotInArticle { mix: Mix { stokes: true, coulomb: true, newton: true } },
+        ];
+        for error in &errors {
+            let english = Catalogue::new(Language::English).error(error);
+            let german = Catalogue::new(Language::German).error(error);
+            assert_ne!(english, german);
+            assert!(!german.contains("{$") && !english.contains("{$"), "{german} {english}");
+        }
+    }
+}
