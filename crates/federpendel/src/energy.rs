@@ -3,10 +3,10 @@
 use std::num::NonZeroUsize;
 
 use gauss_quad::GaussLegendre;
-use twofloat::TwoFloat;
 
 use crate::chain::cursor::Cursor;
 use crate::chain::linear::LinearChain;
+use crate::double::Double;
 use crate::error::{Error, Result};
 use crate::motion::Motion;
 use crate::oscillator::State;
@@ -77,16 +77,17 @@ struct Account<'m> {
 #[derive(Debug, Clone, Copy, Default)]
 struct Work {
     /// ∫ w² dτ, m².
-    square: TwoFloat,
+    square: Double,
     /// ∫ |w| dτ, the path, m.
-    path: TwoFloat,
+    path: Double,
     /// ∫ |w|³ dτ, m³.
-    cube: TwoFloat,
+    cube: Double,
 }
 
 impl<'m> Account<'m> {
     fn new(motion: &'m Motion) -> Self {
-        let rule = GaussLegendre::new(NODES);
+        let zeta = motion.oscillator().damping_ratio();
+        let rule = GaussLegendre::new(if zeta < LIGHT { NODES } else { NODES_DAMPED });
         Account {
             motion,
             cursor: motion.cursor(true),
@@ -103,7 +104,7 @@ impl<'m> Account<'m> {
             return Err(Error::Order { name: "times", value: time, before: self.time });
         }
         while self.cursor.until() <= time {
-            self.finish_swing();
+            self.finish_swing(time)?;
             self.skip_swings(time)?;
         }
         let tau = self.cursor.tau(time);
@@ -129,10 +130,10 @@ impl<'m> Account<'m> {
         }
     }
 
-    fn finish_swing(&mut self) {
+    fn finish_swing(&mut self, time: f64) -> Result<()> {
         self.add_until(self.cursor.duration());
-        self.cursor.advance();
         self.tau = 0.0;
+        self.cursor.advance_towards(time)
     }
 
     /// In closed form any number of swings from rest is passed at once.
@@ -170,28 +171,23 @@ impl<'m> Account<'m> {
         let (from, _) = cursor.framed_at(self.tau);
         let (to, _) = cursor.framed_at(tau);
         self.work.path += (from - to).abs();
-        let zeta = self.motion.oscillator().reduced().zeta.hi();
-        let mut add = |from: f64, to: f64| {
-            let half = 0.5 * (to - from);
-            let (mut squares, mut cubes) = (0.0, 0.0);
-            for (node, weight) in self.rule.iter() {
-                let (_, w) = cursor.framed_at(from + half * (1.0 + node));
-                let square = weight * half * w * w;
-                squares += square;
-                cubes += square * w.abs();
-            }
-            self.work.square += squares;
-            self.work.cube += cubes;
-        };
         match cursor.linear() {
-            Some(_) => panels(self.tau, tau, zeta).for_each(|(from, to)| add(from, to)),
+            Some(chain) => {
+                let (y0, w0) = cursor.start().framed(self.motion.oscillator().reduced().offset);
+                let (y0, propagator) = (f64::from(y0), *chain.propagator());
+                for (from, to) in panels(self.tau, tau, propagator.zeta()) {
+                    let velocity = |tau| propagator.state(tau, y0, w0).1;
+                    self.work.add(&self.rule, from, to, velocity);
+                }
+            }
             None => {
-                let starts = cursor.pieces().iter().map(|piece| piece.start).skip(1);
-                let mut from = self.tau;
-                for to in starts.chain([tau]) {
-                    if to > from {
-                        add(from, to.min(tau));
-                        from = to.min(tau);
+                let pieces = cursor.pieces();
+                for (i, piece) in pieces.iter().enumerate() {
+                    let end = pieces.get(i + 1).map_or(tau, |next| next.start.min(tau));
+                    let from = piece.start.max(self.tau);
+                    if from < end {
+                        let velocity = |tau| piece.velocity_at(tau);
+                        self.work.add(&self.rule, from, end, velocity);
                     }
                 }
             }
@@ -199,15 +195,36 @@ impl<'m> Account<'m> {
     }
 }
 
-/// Nodes of the quadrature: exact for polynomials of degree 47, more than w² of any piece needs.
-const NODES: NonZeroUsize = NonZeroUsize::new(24).unwrap();
+impl Work {
+    /// Adds the integrals over a panel on which the quadrature is exact to rounding.
+    fn add(&mut self, rule: &GaussLegendre, from: f64, to: f64, velocity: impl Fn(f64) -> f64) {
+        let half = 0.5 * (to - from);
+        let (mut squares, mut cubes) = (0.0, 0.0);
+        for (node, weight) in rule.iter() {
+            let w = velocity(from + half * (1.0 + node));
+            let square = weight * w * w;
+            squares += square;
+            cubes += square * w.abs();
+        }
+        self.square += half * squares;
+        self.cube += half * cubes;
+    }
+}
+
+/// Damping ratio up to which a swing is like a half wave.
+const LIGHT: f64 = 0.5;
+/// Nodes for stretches of a wave not longer than π/2, and of half the radius of a Taylor series: the cube
+/// of the velocity beyond degree 23 is below rounding there.
+const NODES: NonZeroUsize = NonZeroUsize::new(12).unwrap();
+/// Nodes where exponentials die away within a panel, and for the high polynomials of collocation.
+const NODES_DAMPED: NonZeroUsize = NonZeroUsize::new(24).unwrap();
 
 /// Cuts a stretch of a linear swing into panels on which the quadrature is exact to rounding. With
 /// damping they grow with the time since the swing began: what is fast has died away by then.
 fn panels(from: f64, to: f64, zeta: f64) -> impl Iterator<Item = (f64, f64)> {
     let mut at = from;
     std::iter::from_fn(move || {
-        let length = if zeta < 0.5 { 1.0 } else { (0.5 / zeta).max(0.5 * at) };
+        let length = if zeta < LIGHT { 1.0 } else { (0.5 / zeta).max(0.5 * at) };
         let panel = (at, (at + length).min(to));
         at = panel.1;
         (panel.0 < to).then_some(panel)

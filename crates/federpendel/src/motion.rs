@@ -174,7 +174,7 @@ impl Motion {
         let sticking = Sticking::new(reduced, amplitude, ties);
         let first = Start::release(reduced, &sticking, release.position, release.velocity);
         let chain = if reduced.kappa > 0.0 {
-            Chain::Series(SeriesChain::new(reduced, &sticking, first, amplitude))
+            Chain::Series(Box::new(SeriesChain::new(reduced, &sticking, first, amplitude)))
         } else {
             let error = CLOSED_FORM_ERROR * amplitude;
             Chain::Linear(Box::new(LinearChain::new(reduced, &sticking, first, error)))
@@ -350,10 +350,9 @@ impl Motion {
             if endless && !sticks {
                 return Outcome::Swings;
             }
-            if cursor.start().index >= MOST_SWINGS {
+            if cursor.start().index >= MOST_SWINGS || !cursor.advance() {
                 return self.unknown(cursor.start());
             }
-            cursor.advance();
         }
     }
 

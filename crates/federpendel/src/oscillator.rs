@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use twofloat::TwoFloat;
-
+use crate::double::Double;
 use crate::error::{Error, Result};
 use crate::friction::{Friction, NormalForce};
 use crate::parameter;
@@ -71,13 +70,15 @@ impl Regime {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reduced {
     /// ω0 = √(C/m), 1/s.
-    pub omega0: TwoFloat,
+    pub omega0: Double,
+    /// 1/ω0, s.
+    pub time_unit: Double,
     /// Damping ratio ζ = γ/ω0 = D/(2√(C m)).
-    pub zeta: TwoFloat,
+    pub zeta: Double,
     /// Offset f = μ F_N/C, m.
-    pub offset: TwoFloat,
+    pub offset: Double,
     /// Half width of the sticking band f_s = μ_s F_N/C, m.
-    pub sticking_offset: TwoFloat,
+    pub sticking_offset: Double,
     /// κ = ½ρc_wA/m, 1/m.
     pub kappa: f64,
 }
@@ -85,20 +86,22 @@ pub(crate) struct Reduced {
 impl Reduced {
     fn new(mass: f64, stiffness: f64, friction: &Friction) -> Self {
         let damping = friction.stokes.map_or(0.0, |law| law.damping());
-        let root = TwoFloat::new_mul(stiffness, mass).sqrt();
+        let root = Double::product(stiffness, mass).sqrt();
         let (offset, sticking_offset) = match friction.coulomb {
             None => (0.0.into(), 0.0.into()),
             Some(law) => {
                 let force = match law.normal_force() {
-                    NormalForce::Weight(gravity) => TwoFloat::new_mul(mass, gravity),
+                    NormalForce::Weight(gravity) => Double::product(mass, gravity),
                     NormalForce::Given(force) => force.into(),
                 };
                 let stretch = force / stiffness;
                 (stretch * law.kinetic(), stretch * law.static_coefficient())
             }
         };
+        let omega0 = (Double::from(stiffness) / mass).sqrt();
         Reduced {
-            omega0: TwoFloat::new_div(stiffness, mass).sqrt(),
+            omega0,
+            time_unit: 1.0 / omega0,
             zeta: damping * 0.5 / root,
             offset,
             sticking_offset,
@@ -107,7 +110,7 @@ impl Reduced {
     }
 
     /// 1 − ζ², the square of the damped frequency over ω0: positive when the linear part swings.
-    pub fn discriminant(&self) -> TwoFloat {
+    pub fn discriminant(&self) -> Double {
         (1.0 - self.zeta) * (1.0 + self.zeta)
     }
 }
@@ -133,6 +136,7 @@ impl Oscillator {
         representable("angular_frequency", stiffness / mass, true)?;
         representable("angular_frequency", stiffness * mass, true)?;
         let reduced = Reduced::new(mass, stiffness, &friction);
+        representable("angular_frequency", f64::from(reduced.omega0), true)?;
         let mix = friction.mix();
         let slides = friction.coulomb.is_some_and(|law| law.kinetic() > 0.0);
         representable("damping_rate", f64::from(reduced.zeta), mix.stokes)?;

@@ -1,14 +1,13 @@
 //! The one place that decides whether a turning point holds.
 
-use twofloat::TwoFloat;
-
+use crate::double::Double;
 use crate::motion::Ties;
 use crate::oscillator::Reduced;
 
 /// The sticking band and what is known of its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sticking {
-    band: TwoFloat,
+    band: Double,
     offset: f64,
     amplitude: f64,
     ties: Ties,
@@ -32,7 +31,7 @@ impl Sticking {
 
     /// Whether a mass without velocity holds at distance `position` from the centre after
     /// `swings` swings; `error` bounds the arithmetic behind `position`, m.
-    pub fn verdict(&self, position: TwoFloat, swings: u64, error: f64) -> Verdict {
+    pub fn verdict(&self, position: Double, swings: u64, error: f64) -> Verdict {
         let band: f64 = self.band.into();
         let inside: f64 = (self.band - position.abs()).into();
         if band == 0.0 {

@@ -55,18 +55,22 @@ impl<'m> Cursor<'m> {
     fn enter(&mut self, start: Start) {
         self.start = start;
         self.from = start.time(&self.reduced);
+        // A swing that cannot be followed holds no time at all.
+        let mut without_next = f64::INFINITY;
         self.next = if start.rests() {
             None
         } else {
             match &self.course {
                 Course::Linear(chain) => chain.next(&start).map(Next::Start),
                 Course::Series(chain) => {
-                    Some(chain.solve(&start, self.dense.then_some(&mut self.pieces)))
+                    let next = chain.solve(&start, self.dense.then_some(&mut self.pieces));
+                    without_next = self.from;
+                    next.ok()
                 }
             }
         };
         self.until = match &self.next {
-            None => f64::INFINITY,
+            None => without_next,
             Some(Next::Start(next)) => next.time(&self.reduced),
             Some(Next::Tail(chain)) => chain.first().time(&self.reduced),
         };
@@ -79,6 +83,18 @@ impl<'m> Cursor<'m> {
             Some(next) => self.take_up(next),
         }
         true
+    }
+
+    /// Goes on to the next start on the way to `time`, s.
+    ///
+    /// # Errors
+    /// [`Error::TooManySwings`] if the motion is not followed any further.
+    pub fn advance_towards(&mut self, time: f64) -> Result<()> {
+        let series = matches!(self.course, Course::Series(_));
+        if series && self.start.index >= MOST_SWINGS || !self.advance() {
+            return Err(self.lost(time));
+        }
+        Ok(())
     }
 
     fn take_up(&mut self, next: Next) {
@@ -104,6 +120,13 @@ impl<'m> Cursor<'m> {
             self.take_up(series.known_before(time));
         }
         let wanted = self.dense;
+        // Mostly it is the next swing.
+        if self.until <= time && matches!(self.course, Course::Linear(_)) {
+            self.advance();
+            if time < self.until {
+                return Ok(());
+            }
+        }
         loop {
             if let Course::Linear(linear) = &self.course {
                 let tau = self.reduced.omega0 * time;
@@ -118,12 +141,13 @@ impl<'m> Cursor<'m> {
                 }
                 return Ok(());
             }
-            if self.start.index >= MOST_SWINGS {
-                return Err(self.lost(time));
-            }
             // Swings on the way need no states between their ends.
             self.dense = wanted && self.until + 1.5 * (self.until - self.from) > time;
-            self.advance();
+            let advanced = self.advance_towards(time);
+            if advanced.is_err() {
+                self.dense = wanted;
+                return advanced;
+            }
         }
     }
 

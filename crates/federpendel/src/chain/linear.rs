@@ -1,10 +1,7 @@
 //! The chain without Newton friction: every swing at once, in closed form.
 
-use twofloat::TwoFloat;
-use twofloat::consts::PI;
-
 use crate::chain::Start;
-use crate::double;
+use crate::double::{Double, PI};
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
 use crate::swing::linear::Propagator;
@@ -27,9 +24,21 @@ pub(crate) struct LinearChain {
     first: Start,
     /// First start from rest, `first` itself or the next; none if the velocity never vanishes.
     rest_start: Option<Start>,
-    /// Duration of a swing from rest and its decrement q, where the linear part swings.
-    repeat: Option<(TwoFloat, TwoFloat)>,
+    /// What a swing from rest repeats, where the linear part swings.
+    repeat: Option<Repeat>,
     last: Last,
+}
+
+/// A swing from rest of a chain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Repeat {
+    duration: Double,
+    /// q = ζ·duration.
+    decrement: Double,
+    /// f (1 + r): taken off with every swing.
+    loss: Double,
+    /// 1 − r.
+    fall: f64,
 }
 
 /// The turning point at which a chain ends.
@@ -47,9 +56,11 @@ impl LinearChain {
     /// The chain from `first`; `error` bounds the error that its state brings along, m.
     pub fn new(reduced: &Reduced, sticking: &Sticking, first: Start, error: f64) -> Self {
         let discriminant = reduced.discriminant();
-        let repeat = (discriminant > 0.0).then(|| {
+        let repeat = (discriminant.hi() > 0.0).then(|| {
             let duration = PI / discriminant.sqrt();
-            (duration, duration * reduced.zeta)
+            let decrement = duration * reduced.zeta;
+            let fall = -(-decrement.hi()).exp_m1();
+            Repeat { duration, decrement, loss: reduced.offset * (2.0 - fall), fall }
         });
         let mut chain = LinearChain {
             reduced: *reduced,
@@ -80,13 +91,13 @@ impl LinearChain {
 
     /// Duration of a swing from rest, ω0 t.
     pub fn repeat_duration(&self) -> Option<f64> {
-        self.repeat.map(|(duration, _)| duration.into())
+        self.repeat.map(|repeat| repeat.duration.into())
     }
 
     /// Factor e^(−q) between the ends of a swing from rest, measured from its own centre; zero where it
     /// does not end.
-    pub fn ratio(&self) -> TwoFloat {
-        self.repeat.map_or(0.0.into(), |(_, decrement)| double::exp(-decrement))
+    pub fn ratio(&self) -> Double {
+        self.repeat.map_or(0.0.into(), |repeat| (-repeat.decrement).exp())
     }
 
     /// ΣY and ΣY² over `count` swings from rest, the first from `start`, with Y the distance of each start
@@ -94,7 +105,7 @@ impl LinearChain {
     ///
     /// Y' = rY − 2f, so Y after n swings and both sums are polynomials in Y; those of 2n swings follow from
     /// those of n, and no term cancels on the way.
-    pub fn sums(&self, start: &Start, count: u64) -> (TwoFloat, TwoFloat) {
+    pub fn sums(&self, start: &Start, count: u64) -> (Double, Double) {
         let (y, _) = start.framed(self.reduced.offset);
         let mut power = SwingSums::one(self.ratio(), self.reduced.offset);
         let mut total = SwingSums::none();
@@ -122,19 +133,17 @@ impl LinearChain {
 
     /// Signed distance from the centre after `count` swings from rest at distance `a`: negative if
     /// the mass did not get past the centre.
-    fn distance(&self, a: TwoFloat, count: u64) -> TwoFloat {
-        let Some((_, decrement)) = self.repeat else { return a };
+    fn distance(&self, a: Double, count: u64) -> Double {
+        let Some(Repeat { decrement, loss, fall, .. }) = self.repeat else { return a };
         let count = count as f64;
+        if fall == 0.0 {
+            return a - loss * count;
+        }
         let exponent = decrement * count;
         // e^(−nq) with the low part of the exponent, and (1 − e^(−nq))/(1 − e^(−q)).
-        let power = TwoFloat::from((-exponent.hi()).exp()) * (1.0 - exponent.lo());
-        let geometric = if decrement.hi() == 0.0 {
-            count
-        } else {
-            (-exponent.hi()).exp_m1() / (-decrement.hi()).exp_m1()
-        };
-        let one_plus_ratio = 1.0 + TwoFloat::from((-decrement.hi()).exp());
-        power * a - self.reduced.offset * one_plus_ratio * geometric
+        let power = Double::from((-exponent.hi()).exp()) * (1.0 - exponent.lo());
+        let geometric = -(-exponent.hi()).exp_m1() / fall;
+        power * a - loss * geometric
     }
 
     /// The start of index `index`, which the chain must have.
@@ -143,7 +152,7 @@ impl LinearChain {
             return self.first;
         };
         let count = index - rest_start.index;
-        let (Some((duration, _)), 1..) = (self.repeat, count) else { return rest_start };
+        let (Some(Repeat { duration, .. }), 1..) = (self.repeat, count) else { return rest_start };
         let side = if count.is_multiple_of(2) { 1.0 } else { -1.0 } * rest_start.x.hi().signum();
         let x = side * self.distance(rest_start.x.abs(), count);
         let direction = if self.last == Last::At(index) { 0.0 } else { -side };
@@ -162,12 +171,12 @@ impl LinearChain {
 
     /// Index of the swing that holds the time `time` (s), at which ω0 t is `tau`; `None` beyond
     /// [`MOST_SWINGS`].
-    pub fn index_at(&self, time: f64, tau: TwoFloat) -> Option<u64> {
+    pub fn index_at(&self, time: f64, tau: Double) -> Option<u64> {
         let Some(rest_start) = self.rest_start else { return Some(self.first.index) };
         if time < rest_start.time(&self.reduced) {
             return Some(self.first.index);
         }
-        let (Some((duration, _)), false) = (self.repeat, rest_start.rests()) else {
+        let (Some(Repeat { duration, .. }), false) = (self.repeat, rest_start.rests()) else {
             return Some(rest_start.index);
         };
         let count = ((tau - rest_start.tau) / duration).hi().max(0.0) as u64;
@@ -189,7 +198,7 @@ impl LinearChain {
         if rest_start.rests() {
             return Last::At(rest_start.index);
         }
-        let Some((_, decrement)) = self.repeat else { return Last::Never };
+        let Some(Repeat { decrement, .. }) = self.repeat else { return Last::Never };
         let (a, f) = (rest_start.x.abs(), self.reduced.offset.hi());
         let band = self.reduced.sticking_offset.hi();
         if band == 0.0 || f == 0.0 && decrement.hi() == 0.0 {
@@ -199,7 +208,7 @@ impl LinearChain {
         let over = |count: u64| {
             let distance = self.distance(a, count);
             let index = rest_start.index + count;
-            distance < 0.0 || self.sticking.verdict(distance, index, self.error).sticks
+            distance.hi() < 0.0 || self.sticking.verdict(distance, index, self.error).sticks
         };
         let estimate = swings_until(a.hi(), band, f, decrement.hi());
         if estimate >= MOST_SWINGS as f64 {
@@ -229,13 +238,13 @@ fn swings_until(a: f64, band: f64, offset: f64, decrement: f64) -> f64 {
 /// For a number of swings: Y' = `a` Y − `b`, ΣY = `p` Y − `q`, ΣY² = `s` Y² − `t` Y + `u`.
 #[derive(Debug, Clone, Copy)]
 struct SwingSums {
-    a: TwoFloat,
-    b: TwoFloat,
-    p: TwoFloat,
-    q: TwoFloat,
-    s: TwoFloat,
-    t: TwoFloat,
-    u: TwoFloat,
+    a: Double,
+    b: Double,
+    p: Double,
+    q: Double,
+    s: Double,
+    t: Double,
+    u: Double,
 }
 
 impl SwingSums {
@@ -244,7 +253,7 @@ impl SwingSums {
         SwingSums { a: one, b: zero, p: zero, q: zero, s: zero, t: zero, u: zero }
     }
 
-    fn one(ratio: TwoFloat, offset: TwoFloat) -> Self {
+    fn one(ratio: Double, offset: Double) -> Self {
         let one = 1.0.into();
         SwingSums { a: ratio, b: 2.0 * offset, p: one, s: one, ..Self::none() }
     }
@@ -262,7 +271,7 @@ impl SwingSums {
         }
     }
 
-    fn at(&self, y: TwoFloat) -> (TwoFloat, TwoFloat) {
+    fn at(&self, y: Double) -> (Double, Double) {
         (self.p * y - self.q, (self.s * y - self.t) * y + self.u)
     }
 }

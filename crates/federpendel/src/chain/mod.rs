@@ -4,10 +4,9 @@ pub(crate) mod cursor;
 pub(crate) mod linear;
 pub(crate) mod series;
 
-use twofloat::TwoFloat;
-
 use crate::chain::linear::LinearChain;
 use crate::chain::series::SeriesChain;
+use crate::double::Double;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
 
@@ -17,7 +16,7 @@ pub(crate) enum Chain {
     /// Without Newton friction.
     Linear(Box<LinearChain>),
     /// With it.
-    Series(SeriesChain),
+    Series(Box<SeriesChain>),
 }
 
 /// Where a swing starts: the release, a turning point, or a point within a swing from which another
@@ -27,9 +26,9 @@ pub(crate) struct Start {
     /// Number of turning points up to here.
     pub index: u64,
     /// Time ω0 t.
-    pub tau: TwoFloat,
+    pub tau: Double,
     /// Position, m.
-    pub x: TwoFloat,
+    pub x: Double,
     /// Velocity over ω0, m.
     pub w: f64,
     /// −1 or +1, the way the mass moves from here; 0 if it rests.
@@ -44,7 +43,7 @@ impl Start {
         if velocity == 0.0 {
             start.direction = departure(start.x, sticking.verdict(start.x, 0, 0.0).sticks);
         } else {
-            start.w = (velocity / reduced.omega0).into();
+            start.w = (velocity * reduced.time_unit).into();
             start.direction = velocity.signum();
         }
         start
@@ -54,9 +53,9 @@ impl Start {
     /// the swing. `error` bounds the arithmetic behind `y`, m.
     pub fn turn(
         &self,
-        duration: TwoFloat,
-        y: TwoFloat,
-        offset: TwoFloat,
+        duration: Double,
+        y: Double,
+        offset: Double,
         sticking: &Sticking,
         error: f64,
     ) -> Self {
@@ -67,13 +66,13 @@ impl Start {
     }
 
     /// State in the frame of the swing from here (see [`crate::swing`]): (y, w).
-    pub fn framed(&self, offset: TwoFloat) -> (TwoFloat, f64) {
+    pub fn framed(&self, offset: Double) -> (Double, f64) {
         (-self.direction * self.x - offset, -self.direction * self.w)
     }
 
     /// The time of this start, s.
     pub fn time(&self, reduced: &Reduced) -> f64 {
-        (self.tau / reduced.omega0).into()
+        (self.tau * reduced.time_unit).into()
     }
 
     pub fn rests(&self) -> bool {
@@ -82,6 +81,6 @@ impl Start {
 }
 
 /// From a turning point the mass moves towards the centre, unless it sticks.
-fn departure(x: TwoFloat, sticks: bool) -> f64 {
+fn departure(x: Double, sticks: bool) -> f64 {
     if sticks { 0.0 } else { -x.hi().signum() }
 }

@@ -2,17 +2,16 @@
 
 use std::sync::Mutex;
 
-use twofloat::consts::PI;
-
 use crate::chain::Start;
 use crate::chain::linear::LinearChain;
-use crate::double;
+use crate::double::PI;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
-use crate::swing::End;
 use crate::swing::linear::Propagator;
 use crate::swing::piece::Piece;
-use crate::swing::taylor::Taylor;
+use crate::swing::stiff::Stiff;
+use crate::swing::taylor::{NEGLIGIBLE, Taylor};
+use crate::swing::{End, NotFollowed};
 
 /// So many swings are followed; then the motion is given up as unknown.
 pub(crate) const MOST_SWINGS: u64 = 10_000_000;
@@ -23,10 +22,15 @@ pub(crate) struct SeriesChain {
     reduced: Reduced,
     sticking: Sticking,
     taylor: Taylor,
+    /// Takes the place of the Taylor series where damping is so strong that it would need many steps.
+    stiff: Option<Stiff>,
     amplitude: f64,
     first: Start,
     known: Mutex<Known>,
 }
+
+/// Damping ratio from which a swing is solved implicitly.
+const STIFF: f64 = 3.0;
 
 /// Starts that were passed, to come back to: every `stride`-th.
 #[derive(Debug, Clone)]
@@ -78,19 +82,20 @@ impl Known {
 impl SeriesChain {
     pub fn new(reduced: &Reduced, sticking: &Sticking, first: Start, amplitude: f64) -> Self {
         let discriminant = reduced.discriminant();
-        let half_period = (discriminant > 0.0).then(|| PI / discriminant.sqrt());
+        let half_period = (discriminant.hi() > 0.0).then(|| PI / discriminant.sqrt());
         let taylor = Taylor {
             propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
             half_period,
-            ratio: half_period
-                .map_or(0.0.into(), |duration| double::exp(-(duration * reduced.zeta))),
+            ratio: half_period.map_or(0.0.into(), |duration| (-(duration * reduced.zeta)).exp()),
             kappa: reduced.kappa,
-            negligible: 0.03 * f64::EPSILON * amplitude,
         };
+        let zeta = reduced.zeta.into();
+        let stiff = (zeta >= STIFF).then_some(Stiff { zeta, kappa: reduced.kappa, amplitude });
         SeriesChain {
             reduced: *reduced,
             sticking: *sticking,
             taylor,
+            stiff,
             amplitude,
             first,
             known: Mutex::new(Known::new(first)),
@@ -103,10 +108,21 @@ impl SeriesChain {
     }
 
     /// Follows the swing from `start` and leaves its pieces, if asked.
-    pub fn solve(&self, start: &Start, pieces: Option<&mut Vec<Piece>>) -> Next {
+    ///
+    /// # Errors
+    /// [`NotFollowed`] if its solver comes to no end.
+    pub fn solve(
+        &self,
+        start: &Start,
+        pieces: Option<&mut Vec<Piece>>,
+    ) -> Result<Next, NotFollowed> {
         let (y0, w0) = start.framed(self.reduced.offset);
         let error = self.error(start.index + 1);
-        let next = match self.taylor.solve(y0, w0, pieces) {
+        let end = match &self.stiff {
+            Some(stiff) => stiff.solve(y0.into(), w0, pieces),
+            None => self.taylor.solve(y0, w0, pieces),
+        };
+        let next = match end? {
             End::Reversal { tau, y } => {
                 let turn = start.turn(tau, y, self.reduced.offset, &self.sticking, error);
                 if turn.rests() || !self.drag_is_negligible(turn.x.hi().abs()) {
@@ -122,20 +138,20 @@ impl SeriesChain {
             }
         };
         self.remember(&next);
-        next
+        Ok(next)
     }
 
     fn tail(&self, first: Start, error: f64) -> LinearChain {
         LinearChain::new(&self.reduced, &self.sticking, first, error)
     }
 
-    /// Whether all that drag can still take off the amplitude `a` is below rounding. The swings to
-    /// come lose at most 4κa²/3 each; damping makes their squares a geometric series, Coulomb friction
-    /// leaves a/2f of them.
+    /// Whether all that drag can still do is below rounding even of the amplitude `a` left. The
+    /// swings to come lose at most 4κa²/3 each; damping makes their squares a geometric series, Coulomb
+    /// friction leaves a/2f of them.
     fn drag_is_negligible(&self, a: f64) -> bool {
         let damped = 1.0 / (1.0 - self.taylor.ratio.hi());
         let dry = a / (2.0 * self.reduced.offset.hi()) + 1.0;
-        self.reduced.kappa * a * a * damped.min(dry) < self.taylor.negligible
+        self.reduced.kappa * a * damped.min(dry) < NEGLIGIBLE
     }
 
     fn remember(&self, next: &Next) {

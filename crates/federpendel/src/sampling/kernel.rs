@@ -1,9 +1,9 @@
 //! One run of samples on one swing.
 
 use pulp::{Simd, WithSimd};
-use twofloat::TwoFloat;
 
 use crate::chain::cursor::Cursor;
+use crate::double::Double;
 use crate::oscillator::Reduced;
 use crate::sampling::lanes::{LANES, Lanes, each, exp, mul_add, polynomial, sin_cos};
 use crate::sampling::times::{Clock, Times};
@@ -27,8 +27,9 @@ impl WithSimd for Run<'_> {
     }
 }
 
-/// Damping of a swing up to which e^(±ζ duration/2) is harmless.
-const MOST_DAMPING: f64 = 100.0;
+/// Duration of a swing, ω0 t, up to which it may be computed from its middle: nearer to critical damping
+/// the growing exponential e^(ζ duration/2) would cost digits.
+const LONGEST_WAVE: f64 = 4.0;
 
 impl Run<'_> {
     #[inline(always)]
@@ -42,20 +43,18 @@ impl Run<'_> {
         match self.cursor.linear() {
             None => self.series::<FUSED>(),
             Some(chain) => match chain.repeat_duration() {
-                Some(duration) if duration * self.reduced.zeta.hi() < MOST_DAMPING => {
-                    self.oscillation::<FUSED>(duration);
-                }
+                Some(duration) if duration < LONGEST_WAVE => self.oscillation::<FUSED>(duration),
                 _ => self.one_by_one(),
             },
         }
     }
 
-    fn clock(&self, origin: TwoFloat) -> Clock {
-        let pair = |number: TwoFloat| (number.hi(), number.lo());
+    fn clock(&self, origin: Double) -> Clock {
+        let pair = |number: Double| (number.hi(), number.lo());
         Clock { omega: pair(self.reduced.omega0), origin: pair(origin) }
     }
 
-    /// Strong damping, where single exponentials are rare enough.
+    /// Strong damping.
     fn one_by_one(&mut self) {
         let side = -self.cursor.start().direction;
         let (offset, omega) = (self.reduced.offset.hi(), self.reduced.omega0.hi());
@@ -81,7 +80,7 @@ impl Run<'_> {
     fn series<const FUSED: bool>(self) {
         let Run { cursor, reduced, times, first, mut positions, mut velocities } = self;
         let start = cursor.start().tau;
-        let clock_time = |tau: f64| f64::from((start + tau) / reduced.omega0);
+        let clock_time = |tau: f64| f64::from((start + tau) * reduced.time_unit);
         let mut at = first;
         while !positions.is_empty() {
             let (piece, end) = cursor.piece_at(cursor.tau(times.time(at)));

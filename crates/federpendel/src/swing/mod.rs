@@ -8,17 +8,20 @@ pub(crate) mod collocation;
 pub(crate) mod first_integral;
 pub(crate) mod linear;
 pub(crate) mod piece;
-#[cfg_attr(not(test), expect(dead_code, reason = "the chain does not choose it yet"))]
 pub(crate) mod stiff;
 pub(crate) mod taylor;
 
-use twofloat::TwoFloat;
+use crate::double::Double;
+
+/// The swing could not be followed in a bounded number of steps: far outside the range of use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NotFollowed;
 
 /// How a swing ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum End {
     /// The velocity becomes zero after the time `tau`, at `y`.
-    Reversal { tau: TwoFloat, y: TwoFloat },
+    Reversal { tau: Double, y: Double },
     /// From here on Newton friction is below rounding: the linear motion takes over.
     Linear { tau: f64, y: f64, w: f64 },
 }

@@ -23,6 +23,11 @@ impl Piece {
         (horner::<false>(&self.position, u), horner::<false>(&self.velocity, u))
     }
 
+    /// w at the time `tau` of the swing.
+    pub fn velocity_at(&self, tau: f64) -> f64 {
+        horner::<false>(&self.velocity, (tau - self.center) * self.inverse_scale)
+    }
+
     /// The degree that is enough for this piece if it ends at `end`.
     pub fn degree(&self, end: f64) -> usize {
         let reach = (self.start - self.center).abs().max((end - self.center).abs());

@@ -13,13 +13,12 @@
 //! damped to nothing (the method is stiffly accurate). Steps are chosen so that the coefficients of
 //! both polynomials fall to rounding; as the transient dies they grow from about 1/ζ to about ζ.
 
-use twofloat::TwoFloat;
-
-use crate::swing::End;
+use crate::double::Double;
 use crate::swing::collocation::{
     Matrix, NODES, Nodal, POSITION_TERMS, STAGES, TABLES, Vector, antiderivative, dot, eliminate,
 };
 use crate::swing::piece::{DEGREE, Piece, horner};
+use crate::swing::{End, NotFollowed};
 
 const _: () = assert!(POSITION_TERMS <= DEGREE + 1);
 
@@ -31,14 +30,6 @@ const NEGLIGIBLE: f64 = 6.938893903907228e-18;
 const STEP_LIMIT: usize = 400;
 /// Newton iterations of one step; more than about 8 mean that the step is too long.
 const ITERATION_LIMIT: usize = 12;
-
-/// The swing could not be followed in a bounded number of steps: far outside the range of use, or
-/// not a swing in the negative direction.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct NotFollowed {
-    /// How far it was followed, τ since its start.
-    pub reached: f64,
-}
 
 /// The constants of all swings of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +63,7 @@ impl Stiff {
         let values = [self.zeta, self.kappa, self.amplitude, y0, w0];
         let starts = w0 < 0.0 || w0 == 0.0 && y0 >= 0.0;
         if !(starts && values.iter().all(|value| value.is_finite())) {
-            return Err(NotFollowed { reached: 0.0 });
+            return Err(NotFollowed);
         }
         let (mut tau, mut y, mut w) = (0.0, y0, w0);
         let mut length = self.first_step(y, w);
@@ -96,12 +87,12 @@ impl Stiff {
                 pieces.push(step.piece(tau));
             }
             if let Some((after, y)) = step.reversal() {
-                return Ok(End::Reversal { tau: TwoFloat::new_add(tau, after), y: y.into() });
+                return Ok(End::Reversal { tau: Double::sum(tau, after), y: y.into() });
             }
             (tau, y, w) = (end, step.y[STAGES], step.w[STAGES]);
             length = step.length * step.growth;
         }
-        Err(NotFollowed { reached: tau })
+        Err(NotFollowed)
     }
 
     /// What errors are measured by in a step from (y, w): the amplitude of the motion; but of this

@@ -7,25 +7,29 @@
 //! millions of swings accurate.
 
 use pulp::{Simd, WithSimd};
-use twofloat::TwoFloat;
 
+use crate::double::Double;
 use crate::sampling::lanes::mul_add;
-use crate::swing::End;
 use crate::swing::linear::Propagator;
 use crate::swing::piece::{DEGREE, Piece, horner};
+use crate::swing::{End, NotFollowed};
 
 /// The constants of all swings of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Taylor {
     pub propagator: Propagator,
     /// Duration π/√(1 − ζ²) of a linear swing from rest, where there is one.
-    pub half_period: Option<TwoFloat>,
+    pub half_period: Option<Double>,
     /// Factor r = e^(−ζ half_period) between turning amplitudes of the linear swing.
-    pub ratio: TwoFloat,
+    pub ratio: Double,
     pub kappa: f64,
-    /// Below this, κ times a squared length is lost in rounding.
-    pub negligible: f64,
 }
+
+/// Where κ times the size of the motion is smaller, drag is lost in rounding.
+pub(crate) const NEGLIGIBLE: f64 = 0.1 * f64::EPSILON;
+
+/// Where κ times the place of release is larger, L would be no part of the motion but far off it.
+const STRONG: f64 = 0.5;
 
 /// The linear part L of one swing, known in closed form from its start and, if it starts from rest, from
 /// its end too: near the end that form keeps the small velocity accurate.
@@ -34,11 +38,11 @@ struct LinearPart<'a> {
     y0: f64,
     w0: f64,
     /// Time and place of the end of L.
-    end: Option<(TwoFloat, TwoFloat)>,
+    end: Option<(Double, Double)>,
 }
 
 impl<'a> LinearPart<'a> {
-    fn new(taylor: &'a Taylor, y0: TwoFloat, w0: f64) -> Self {
+    fn new(taylor: &'a Taylor, y0: Double, w0: f64) -> Self {
         let from_rest = taylor.half_period.filter(|_| w0 == 0.0);
         let end = from_rest.map(|half_period| (half_period, -(taylor.ratio * y0)));
         Self { taylor, y0: y0.into(), w0, end }
@@ -50,7 +54,7 @@ impl<'a> LinearPart<'a> {
 
     /// State at a time `offset` from the end of L, its place to double-double where that is
     /// small; the time itself too.
-    fn state_near_end(&self, tau: f64) -> (TwoFloat, TwoFloat, f64) {
+    fn state_near_end(&self, tau: f64) -> (Double, Double, f64) {
         match self.end {
             Some((duration, place)) if tau > 0.5 * duration.hi() => {
                 let offset = tau - duration.hi();
@@ -115,19 +119,30 @@ impl Taylor {
     }
 
     /// Follows the swing from (y0, w0) to its end and leaves its pieces in `pieces`, if given.
-    pub fn solve(&self, y0: TwoFloat, w0: f64, pieces: Option<&mut Vec<Piece>>) -> End {
+    ///
+    /// # Errors
+    /// [`NotFollowed`] if the steps come to no end.
+    pub fn solve(
+        &self,
+        y0: Double,
+        w0: f64,
+        pieces: Option<&mut Vec<Piece>>,
+    ) -> Result<End, NotFollowed> {
         pulp::Arch::new().dispatch(Solve { taylor: self, y0, w0, pieces })
     }
 
     #[inline(always)]
     fn follow<const FUSED: bool>(
         &self,
-        y0: TwoFloat,
+        y0: Double,
         w0: f64,
         mut pieces: Option<&mut Vec<Piece>>,
-    ) -> End {
-        let linear = LinearPart::new(self, y0, w0);
-        let (mut tau, mut l, mut z) = (0.0, (y0.into(), w0), (0.0, 0.0));
+    ) -> Result<End, NotFollowed> {
+        let weak = self.kappa * y0.hi().abs().max(-w0) < STRONG;
+        let linear =
+            LinearPart::new(self, if weak { y0 } else { 0.0.into() }, if weak { w0 } else { 0.0 });
+        let (mut tau, mut l) = (0.0, (linear.y0, linear.w0));
+        let mut z = if weak { (0.0, 0.0) } else { (y0.hi(), w0) };
         if let Some(pieces) = pieces.as_deref_mut() {
             pieces.clear();
         }
@@ -141,16 +156,18 @@ impl Taylor {
                 let guess = self.half_period.map_or(step, |duration| duration.hi() - tau);
                 let root = reversal::<FUSED>(&expansion.p, guess, step);
                 let z = (horner::<FUSED>(&expansion.z, root), slope::<FUSED>(&expansion.z, root));
-                return self.end::<FUSED>(&linear, tau + root, z, pieces);
+                return Ok(self.end::<FUSED>(&linear, tau + root, z, pieces));
             }
             (tau, z) = (tau + step, next);
             let (y, w) = (l.0 + z.0, l.1 + z.1);
             let largest = y.abs().max(w.abs());
-            if self.half_period.is_none() && self.kappa * largest * largest < self.negligible {
-                return End::Linear { tau, y, w };
+            // With light damping the chain decides that at the turning point.
+            let damped = self.propagator.zeta() > 0.5;
+            if damped && self.kappa * largest < NEGLIGIBLE {
+                return Ok(End::Linear { tau, y, w });
             }
         }
-        unreachable!("a swing of more than {MOST_STEPS} steps: y0 = {y0:?}, w0 = {w0}, {self:?}")
+        Err(NotFollowed)
     }
 
     /// The end of the swing, `tau` being the reversal up to rounding: one Newton step from the
@@ -177,16 +194,16 @@ impl Taylor {
 /// A call of [`Taylor::solve`], compiled for the instructions of the machine.
 struct Solve<'a> {
     taylor: &'a Taylor,
-    y0: TwoFloat,
+    y0: Double,
     w0: f64,
     pieces: Option<&'a mut Vec<Piece>>,
 }
 
 impl WithSimd for Solve<'_> {
-    type Output = End;
+    type Output = Result<End, NotFollowed>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> End {
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
         let Solve { taylor, y0, w0, pieces } = self;
         if S::IS_SCALAR {
             taylor.follow::<false>(y0, w0, pieces)
