@@ -139,3 +139,162 @@ plot-rest = Ruhe: { $time }, { $position }
 plot-sticking-band = Haftbereich ±{ $offset }
 plot-motion-title = Federpendel, { $mix }
 plot-motion-description = { $title }: Auslenkung über { $duration }, ab { $start } beim Loslassen, zwischen { $lowest } und { $highest }. Die Masse { $outcome }.
+### Größen, wie man sie schreibt
+
+dimension-mass = eine Masse
+dimension-length = eine Länge
+dimension-time = eine Zeit
+dimension-force = eine Kraft
+dimension-stiffness = eine Federkonstante
+dimension-damping = eine Dämpfung
+dimension-mass-per-length = eine Masse je Länge
+dimension-velocity = eine Geschwindigkeit
+dimension-acceleration = eine Beschleunigung
+dimension-density = eine Dichte
+dimension-area = eine Fläche
+dimension-number = eine reine Zahl
+dimension-frequency = eine Frequenz
+dimension-volume = ein Volumen
+dimension-energy = eine Energie
+dimension-power = eine Leistung
+dimension-pressure = ein Druck
+quantity-empty = es fehlt die Angabe
+quantity-too-long = die Angabe hat { $length } Bytes, mehr als { $limit }
+quantity-no-number = am Anfang steht keine Zahl
+quantity-ambiguous = die Zahl kann { $decimal } oder { $grouped } bedeuten; bitte die gemeinte schreiben
+quantity-grouped = Zahlen schreibt man hier ohne Tausendertrennzeichen, etwa { $plain }
+quantity-not-finite = das ist keine endliche Zahl
+quantity-overflow = die Zahl ist zu groß für doppelte Genauigkeit
+quantity-underflow = die Zahl ist nicht null, aber zu klein für doppelte Genauigkeit
+quantity-unknown-unit = die Einheit „{ $unit }“ ist unbekannt
+quantity-unknown-unit-near = die Einheit „{ $unit }“ ist unbekannt, die ähnlichste ist „{ $nearest }“
+quantity-unit-grammar = „{ $unit }“ lässt sich nicht als Einheit lesen
+quantity-wrong-dimension = „{ $unit }“ ist die Einheit einer anderen Größe: { $found }
+quantity-nameless-dimension = „{ $unit }“ ist die Einheit einer anderen Größe
+
+### Versuche, die abgelehnt werden
+
+experiment-too-large = Die Datei ist größer als { $limit } Bytes; mehr wird nicht gelesen
+experiment-not-utf8 = Die Datei ist kein UTF-8-Text (Byte { $offset }); erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
+experiment-empty = Die Datei ist leer; erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
+experiment-syntax = Die Datei ist kein TOML: { $problem }
+experiment-unknown-key = { $name } ist unbekannt; hier erlaubt: { $allowed }
+experiment-unknown-key-near = { $name } ist unbekannt; war { $nearest } gemeint? Hier erlaubt: { $allowed }
+experiment-allowed-keys = ein Abschnitt mit { $keys }
+experiment-refusal = { $name } ist { $value }; erlaubt ist { $allowed }
+experiment-quantity = { $name } ist { $value }: { $problem }; erlaubt ist { $allowed }
+experiment-missing = { $name } (oder --{ $flag }) fehlt; erlaubt ist { $allowed }
+experiment-too-many-samples = { $name } ist { $value }; in den freien Speicher passen höchstens { $fit } Abtastwerte
+experiment-both = { $name } ist { $value } und { $other } ist { $otherValue }; nur eines von beiden darf angegeben sein
+experiment-static-below-kinetic = { $name } ist { $value }; erlaubt ist mindestens { $other }, { $otherValue }
+experiment-static-without-kinetic = { $name } ist { $value }, aber { $missing } fehlt; Haftreibung ist nur neben Gleitreibung erlaubt
+experiment-incomplete = { $name } ist { $value }, aber { $missing } fehlt; Newtonsche Reibung braucht density, drag_coefficient und area, oder coefficient allein
+experiment-no-normal-force = { $name } ist { $value }; die Coulombsche Reibung braucht eine Normalkraft größer als 0
+
+### Die Kommandozeile
+
+cli-error = Fehler
+cli-system-refuses = { $name }: { $problem }
+cli-stdout = Standardausgabe
+cli-computing = rechnet
+cli-written = geschrieben: { $name }
+cli-about = Die exakte Bewegung einer Masse an einer Feder mit Stokesscher, Coulombscher und Newtonscher Reibung
+cli-heading-usage = Aufruf
+cli-heading-commands = Befehle
+cli-heading-arguments = Argumente
+cli-heading-options = Optionen
+cli-heading-overrides = Größen: Zahl und Einheit; jede ersetzt ihr Feld im Versuch
+cli-value-command = BEFEHL
+cli-value-file = DATEI
+cli-value-options = OPTIONEN
+cli-value-name = NAME
+cli-value-quantity = GRÖSSE
+cli-help = Hilfe ausgeben
+cli-version = Version ausgeben
+cli-lang = Sprache aller Texte: de oder en (Vorgabe: aus der Umgebung)
+cli-simulate = Die Bewegung eines Versuchs berechnen
+cli-completions = Vervollständigungen für eine Shell auf die Standardausgabe schreiben
+cli-man = Die Handbuchseite auf die Standardausgabe schreiben
+cli-shell = bash, elvish, fish, powershell oder zsh
+cli-experiment = Versuchsdatei, „-“ für die Standardeingabe; ohne sie läuft der eingebaute Versuch: 0,5 kg an 20 N/m, losgelassen bei 10 cm, Gleitreibungszahl 0,02
+cli-method = Verfahren, das die Abtastwerte berechnet: { $methods } (Vorgabe: exact)
+cli-dt = Zeitschritt von article-scheme (Vorgabe: ein Tausendstel der Periode)
+cli-output = Eine Datei schreiben; ihre Endung bestimmt die Form: { $forms }; „-“ ist die Standardausgabe. Mehrfach möglich
+cli-format = Was auf die Standardausgabe kommt: summary (Vorgabe), csv oder json
+cli-csv-dialect = standard (Vorgabe), oder german mit Semikolons und Dezimalkommas
+cli-details = Die Zusammenfassung alles sagen lassen
+cli-examples =
+    Beispiele:
+      federpendel simulate
+      federpendel simulate mein.toml -o bewegung.csv -o bewegung.svg
+      federpendel simulate --help
+cli-simulate-examples =
+    Ohne Dauer endet die Aufzeichnung kurz nach dem Stillstand der Masse, oder nach 12 Perioden,
+    wenn sie später als nach 200 Perioden oder nie zur Ruhe kommt; wo sie nur kriecht, nach zehn
+    Zeitkonstanten.
+
+    Beispiele:
+      federpendel simulate
+      federpendel simulate mein.toml -o bewegung.csv -o bewegung.svg
+      federpendel simulate mein.toml --kinetic 0,05 --position "-5 cm" --details
+      federpendel simulate mein.toml --format json > bewegung.json
+      federpendel simulate --method article-scheme --dt "10 ms"
+cli-completions-examples =
+    Beispiele:
+      federpendel completions bash > ~/.local/share/bash-completion/completions/federpendel
+      federpendel completions fish > ~/.config/fish/completions/federpendel.fish
+cli-man-examples =
+    Beispiele:
+      federpendel man | man -l -
+      federpendel man > ~/.local/share/man/man1/federpendel.1
+cli-unknown-argument = { $argument } ist unbekannt; federpendel --help zeigt, was erlaubt ist
+cli-unknown-argument-near = { $argument } ist unbekannt; war { $nearest } gemeint?
+cli-unknown-command = { $argument } ist kein Befehl; erlaubt sind { $allowed }
+cli-missing-command = Es fehlt ein Befehl; erlaubt sind { $allowed }
+cli-missing-value = { $argument } hat keinen Wert; es muss einer folgen
+cli-invalid-value = { $argument } ist „{ $value }“; erlaubt sind { $allowed }
+cli-given-twice = { $argument } ist zweimal angegeben; erlaubt ist einmal
+cli-missing-argument = { $argument } fehlt
+cli-no-value-allowed = { $argument } ist „{ $value }“; hier ist kein Wert erlaubt
+cli-argument-not-utf8 = Ein Argument ist kein UTF-8-Text
+cli-output-twice = --output { $name } nennt eine Datei, die dieser Aufruf schon benutzt
+cli-output-folder = --output { $name } ist ein Ordner; erlaubt ist eine Datei
+cli-output-special = --output { $name } ist keine gewöhnliche Datei
+cli-output-extension = --output { $name } hat eine Endung, zu der keine Form gehört; erlaubt sind { $allowed }
+
+### Die Zusammenfassung
+
+summary-sentence = Die Masse { $outcome }.
+summary-tie = Ihre letzte Halbschwingung endet auf der Kante des Haftbereichs; im Rahmen der Rundung der angegebenen Zahlen haftet sie dort.
+summary-none = keine
+summary-friction = Reibung
+summary-period = Periode
+summary-period-value = { $period } (Frequenz { $frequency })
+summary-damping = Dämpfungsgrad
+summary-damping-value = { $ratio } ({ $regime })
+summary-energy = Energie
+summary-energy-value = { $initial } beim Loslassen, { $left } am Ende der Aufzeichnung
+summary-record = Aufzeichnung
+summary-record-value = { $samples } Abtastwerte über { $duration }
+summary-method = Verfahren
+summary-kind = Lösung
+summary-given = Angegeben
+summary-derived = Daraus folgt
+summary-spent = Energie am Ende der Aufzeichnung
+summary-certainty = Wie genau das bekannt ist
+summary-turning-points = Umkehrpunkte
+summary-more-points = … und weitere; --format json schreibt alle
+summary-energy-initial = beim Loslassen
+summary-energy-kinetic = kinetisch
+summary-energy-potential = potentiell
+summary-heat-stokes = Wärme der Stokesschen Reibung
+summary-heat-coulomb = Wärme der Coulombschen Reibung
+summary-heat-newton = Wärme der Newtonschen Reibung
+summary-error-bound = Fehler der Auslenkung unter
+summary-margin = Ruhelage im Haftbereich
+summary-margin-value = um { $margin } % der halben Breite
+derived-damping-ratio = Dämpfungsgrad
+derived-quality-factor = Gütefaktor
+derived-logarithmic-decrement = logarithmisches Dekrement
+summary-point-time = t in s
+summary-point-position = x in m

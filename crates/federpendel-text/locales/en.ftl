@@ -139,3 +139,161 @@ plot-rest = Rest: { $time }, { $position }
 plot-sticking-band = Sticking band ±{ $offset }
 plot-motion-title = Mass on a spring, { $mix }
 plot-motion-description = { $title }: displacement over { $duration }, from { $start } at the release, between { $lowest } and { $highest }. The mass { $outcome }.
+### Quantities as they are written
+
+dimension-mass = a mass
+dimension-length = a length
+dimension-time = a time
+dimension-force = a force
+dimension-stiffness = a stiffness
+dimension-damping = a damping
+dimension-mass-per-length = a mass per length
+dimension-velocity = a velocity
+dimension-acceleration = an acceleration
+dimension-density = a density
+dimension-area = an area
+dimension-number = a pure number
+dimension-frequency = a frequency
+dimension-volume = a volume
+dimension-energy = an energy
+dimension-power = a power
+dimension-pressure = a pressure
+quantity-empty = nothing is given
+quantity-too-long = it has { $length } bytes, more than { $limit }
+quantity-no-number = it does not begin with a number
+quantity-ambiguous = the number may mean { $decimal } or { $grouped }; write the one that is meant
+quantity-grouped = numbers are written without thousands separators, perhaps { $plain }
+quantity-not-finite = it is not a finite number
+quantity-overflow = it is too large for a number of double precision
+quantity-underflow = it is not zero, but too small for a number of double precision
+quantity-unknown-unit = the unit “{ $unit }” is unknown
+quantity-unknown-unit-near = the unit “{ $unit }” is unknown, the nearest is “{ $nearest }”
+quantity-unit-grammar = “{ $unit }” cannot be read as a unit
+quantity-wrong-dimension = “{ $unit }” is a unit of another kind: { $found }
+quantity-nameless-dimension = “{ $unit }” is a unit of another kind
+
+### Experiments that are refused
+
+experiment-too-large = The file is larger than { $limit } bytes, the most that is read
+experiment-not-utf8 = The file is not UTF-8 text (byte { $offset }); allowed is a TOML file with the sections { $sections }
+experiment-empty = The file is empty; allowed is a TOML file with the sections { $sections }
+experiment-syntax = The file is not TOML: { $problem }
+experiment-unknown-key = { $name } is unknown; allowed here: { $allowed }
+experiment-unknown-key-near = { $name } is unknown; did you mean { $nearest }? Allowed here: { $allowed }
+experiment-allowed-keys = a section with { $keys }
+experiment-refusal = { $name } is { $value }; allowed is { $allowed }
+experiment-quantity = { $name } is { $value }: { $problem }; allowed is { $allowed }
+experiment-missing = { $name } (or --{ $flag }) is missing; allowed is { $allowed }
+experiment-too-many-samples = { $name } is { $value }; at most { $fit } samples fit into the memory that is free
+experiment-both = { $name } is { $value } and { $other } is { $otherValue }; only one of the two may be given
+experiment-static-below-kinetic = { $name } is { $value }; allowed is at least { $other }, { $otherValue }
+experiment-static-without-kinetic = { $name } is { $value }, but { $missing } is missing; static friction is allowed only beside kinetic friction
+experiment-incomplete = { $name } is { $value }, but { $missing } is missing; Newton friction needs density, drag_coefficient and area, or coefficient alone
+experiment-no-normal-force = { $name } is { $value }; Coulomb friction needs a normal force greater than 0
+
+### The command line
+
+cli-error = error
+cli-system-refuses = { $name }: { $problem }
+cli-stdout = standard output
+cli-computing = computing
+cli-written = written: { $name }
+cli-about = The exact motion of a mass on a spring with Stokes, Coulomb and Newton friction
+cli-heading-usage = Usage
+cli-heading-commands = Commands
+cli-heading-arguments = Arguments
+cli-heading-options = Options
+cli-heading-overrides = Overrides: a number and its unit; each replaces its field of the experiment
+cli-value-command = COMMAND
+cli-value-file = FILE
+cli-value-options = OPTIONS
+cli-value-name = NAME
+cli-value-quantity = QUANTITY
+cli-help = Print help
+cli-version = Print the version
+cli-lang = Language of all texts: de or en (default: from the environment)
+cli-simulate = Compute the motion of one experiment
+cli-completions = Write completions for a shell to standard output
+cli-man = Write the manual page to standard output
+cli-shell = bash, elvish, fish, powershell or zsh
+cli-experiment = Experiment file, “-” for standard input; without one the built-in experiment runs: 0.5 kg on 20 N/m, released at 10 cm, kinetic coefficient 0.02
+cli-method = Method of computing the samples: { $methods } (default: exact)
+cli-dt = Time step of article-scheme (default: a thousandth of the period)
+cli-output = Write a file; its extension says which form: { $forms }; “-” is standard output. May be repeated
+cli-format = What standard output gets: summary (default), csv or json
+cli-csv-dialect = standard (default), or german with semicolons and decimal commas
+cli-details = Let the summary tell everything
+cli-examples =
+    Examples:
+      federpendel simulate
+      federpendel simulate my.toml -o motion.csv -o motion.svg
+      federpendel simulate --help
+cli-simulate-examples =
+    Without duration the record ends shortly after the mass comes to rest, or after 12 periods
+    if it rests later than 200 periods or never; where it only creeps, after ten time constants.
+
+    Examples:
+      federpendel simulate
+      federpendel simulate my.toml -o motion.csv -o motion.svg
+      federpendel simulate my.toml --kinetic 0.05 --position "-5 cm" --details
+      federpendel simulate my.toml --format json > motion.json
+      federpendel simulate --method article-scheme --dt "10 ms"
+cli-completions-examples =
+    Examples:
+      federpendel completions bash > ~/.local/share/bash-completion/completions/federpendel
+      federpendel completions fish > ~/.config/fish/completions/federpendel.fish
+cli-man-examples =
+    Examples:
+      federpendel man | man -l -
+      federpendel man > ~/.local/share/man/man1/federpendel.1
+cli-unknown-argument = { $argument } is unknown; federpendel --help lists what is allowed
+cli-unknown-argument-near = { $argument } is unknown; did you mean { $nearest }?
+cli-unknown-command = { $argument } is no command; allowed are { $allowed }
+cli-missing-command = A command is missing; allowed are { $allowed }
+cli-missing-value = { $argument } has no value; one must follow it
+cli-invalid-value = { $argument } is “{ $value }”; allowed are { $allowed }
+cli-given-twice = { $argument } is given twice; allowed is once
+cli-missing-argument = { $argument } is missing
+cli-no-value-allowed = { $argument } is “{ $value }”; it takes no value
+cli-argument-not-utf8 = An argument is not UTF-8 text
+cli-output-twice = --output { $name } names a file that is already in use by this command
+cli-output-folder = --output { $name } is a folder; allowed is a file
+cli-output-special = --output { $name } is no ordinary file
+cli-output-extension = --output { $name } has an extension of no known form; allowed are { $allowed }
+
+### The summary
+
+summary-sentence = The mass { $outcome }.
+summary-tie = Its last swing ends on the edge of the sticking band; within the rounding of the given numbers it sticks there.
+summary-none = none
+summary-friction = friction
+summary-period = period
+summary-period-value = { $period } (frequency { $frequency })
+summary-damping = damping ratio
+summary-damping-value = { $ratio } ({ $regime })
+summary-energy = energy
+summary-energy-value = { $initial } at release, { $left } at the end of the record
+summary-record = record
+summary-record-value = { $samples } samples over { $duration }
+summary-method = method
+summary-kind = known as
+summary-given = Given
+summary-derived = Derived
+summary-spent = Energy at the end of the record
+summary-certainty = How well it is known
+summary-turning-points = Turning points
+summary-more-points = … and more; --format json writes all
+summary-energy-initial = at release
+summary-energy-kinetic = kinetic
+summary-energy-potential = potential
+summary-heat-stokes = heat of Stokes friction
+summary-heat-coulomb = heat of Coulomb friction
+summary-heat-newton = heat of Newton friction
+summary-error-bound = error of positions below
+summary-margin = rest inside the sticking band
+summary-margin-value = by { $margin } % of its half width
+derived-damping-ratio = damping ratio
+derived-quality-factor = quality factor
+derived-logarithmic-decrement = logarithmic decrement
+summary-point-time = t in s
+summary-point-position = x in m

@@ -1,0 +1,126 @@
+//! The command line: what can be asked, and how it is said.
+
+mod command;
+mod generate;
+mod refuse;
+
+pub(crate) use generate::{completions, man};
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::ArgMatches;
+use clap::error::ErrorKind;
+use clap_complete::Shell;
+use federpendel_text::{Catalogue, Language};
+
+use crate::experiment::Field;
+use crate::failure::Failure;
+pub use crate::output::{Dialect, Format};
+pub use crate::record::Method;
+
+/// What the user asks for.
+#[derive(Debug)]
+pub enum Request {
+    /// Simulate an experiment.
+    Simulate(Simulate),
+    /// Write the completions for a shell.
+    Completions(Shell),
+    /// Write the manual page.
+    Man,
+    /// Print a help text or the version.
+    Print(String),
+}
+
+/// The arguments of `simulate`.
+#[derive(Debug)]
+pub struct Simulate {
+    /// The experiment file; none for the built-in experiment.
+    pub experiment: Option<PathBuf>,
+    /// Fields given as flags.
+    pub overrides: Vec<(Field, String)>,
+    /// The method of computation.
+    pub method: Method,
+    /// Time step of a numeric scheme, as written.
+    pub time_step: Option<String>,
+    /// Files to write.
+    pub outputs: Vec<PathBuf>,
+    /// What standard output gets.
+    pub format: Option<Format>,
+    /// How CSV is written.
+    pub dialect: Dialect,
+    /// Whether the summary tells everything.
+    pub details: bool,
+}
+
+/// The language that `--lang` asks for, or else the environment; found before anything else is
+/// parsed, since help and refusals already speak it.
+pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String>) -> Language {
+    let mut words = arguments.iter().skip(1).filter_map(|word| word.to_str());
+    let mut asked = None;
+    while let Some(word) = words.next() {
+        match word {
+            "--" => break,
+            "--lang" => asked = words.next().and_then(Language::from_tag).or(asked),
+            _ => {
+                let tag = word.strip_prefix("--lang=");
+                asked = tag.and_then(Language::from_tag).or(asked);
+            }
+        }
+    }
+    asked.unwrap_or_else(|| Language::from_environment(variable))
+}
+
+/// Reads the arguments, the program's own name first.
+///
+/// # Errors
+/// One sentence that names what is wrong and what is allowed.
+pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Request, Failure> {
+    let matches = command::command(catalogue).try_get_matches_from(arguments);
+    let matches = match matches {
+        Ok(matches) => matches,
+        Err(error) => {
+            return match error.kind() {
+                ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+                    Ok(Request::Print(printed(&error)))
+                }
+                _ => Err(Failure::Input(refuse::sentence(&error, catalogue))),
+            };
+        }
+    };
+    Ok(match matches.subcommand() {
+        Some(("completions", matches)) => match matches.get_one::<Shell>("shell") {
+            Some(shell) => Request::Completions(*shell),
+            None => Request::Man,
+        },
+        Some(("man", _)) => Request::Man,
+        Some((_, matches)) => Request::Simulate(simulate(matches)),
+        None => Request::Print(command::command(catalogue).render_help().to_string()),
+    })
+}
+
+/// Help as it suits standard output.
+fn printed(error: &clap::Error) -> String {
+    if console::colors_enabled() {
+        error.render().ansi().to_string()
+    } else {
+        error.render().to_string()
+    }
+}
+
+fn simulate(matches: &ArgMatches) -> Simulate {
+    let text = |id: &str| matches.get_one::<String>(id).cloned();
+    let named = |id: &str| text(id).unwrap_or_default();
+    let overrides =
+        Field::ALL.iter().filter_map(|field| Some((*field, text(&field.flag())?))).collect();
+    Simulate {
+        experiment: matches.get_one::<PathBuf>("experiment").cloned(),
+        overrides,
+        method: Method::named(&named("method")).unwrap_or(Method::Exact),
+        time_step: text("dt"),
+        outputs: matches.get_many("output").into_iter().flatten().cloned().collect(),
+        format: Format::named(&named("format")),
+        dialect: Dialect::named(&named("csv-dialect")).unwrap_or_default(),
+        details: matches.get_flag("details"),
+    }
+}

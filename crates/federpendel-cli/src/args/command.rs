@@ -1,0 +1,198 @@
+//! The command line described to clap, in the user's language.
+
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Arg, ArgAction, Command, value_parser};
+use clap_complete::Shell;
+use federpendel::parameter::ParameterInfo;
+use federpendel_text::{Catalogue, Language};
+
+use super::{Dialect, Format, Method};
+use crate::experiment::Field;
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// Widest help text, columns.
+const HELP_WIDTH: usize = 100;
+
+/// The whole command line.
+pub(super) fn command(catalogue: &Catalogue) -> Command {
+    Command::new("federpendel")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(catalogue.text("cli-about"))
+        .after_help(catalogue.text("cli-examples"))
+        .override_usage(usage("", catalogue.text("cli-value-command"), catalogue))
+        .subcommand_value_name(catalogue.text("cli-value-command"))
+        .subcommand_help_heading(catalogue.text("cli-heading-commands"))
+        .subcommand_required(true)
+        .disable_help_subcommand(true)
+        .disable_version_flag(true)
+        .arg(
+            Arg::new("version")
+                .long("version")
+                .short('V')
+                .action(ArgAction::Version)
+                .help_heading(catalogue.text("cli-heading-options"))
+                .help(catalogue.text("cli-version")),
+        )
+        .subcommand(simulate(catalogue))
+        .subcommand(completions(catalogue))
+        .subcommand(manual(catalogue))
+        .styles(STYLES)
+        .max_term_width(HELP_WIDTH)
+        .help_template(template(catalogue))
+        .disable_help_flag(true)
+        .arg(help(catalogue))
+        .arg(language(catalogue))
+}
+
+fn template(catalogue: &Catalogue) -> String {
+    let usage = catalogue.text("cli-heading-usage");
+    format!("{{about-with-newline}}\n{usage}: {{usage}}\n\n{{all-args}}{{after-help}}\n")
+}
+
+/// "federpendel simulate [OPTIONS] operands".
+fn usage(command: &str, operands: String, catalogue: &Catalogue) -> String {
+    let options = catalogue.text("cli-value-options");
+    let words = ["federpendel".to_owned(), command.to_owned(), format!("[{options}]"), operands];
+    words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// What every subcommand has.
+fn common(command: Command, catalogue: &Catalogue) -> Command {
+    command.disable_help_flag(true).arg(help(catalogue)).help_template(template(catalogue))
+}
+
+fn help(catalogue: &Catalogue) -> Arg {
+    Arg::new("help")
+        .long("help")
+        .short('h')
+        .action(ArgAction::Help)
+        .help_heading(catalogue.text("cli-heading-options"))
+        .help(catalogue.text("cli-help"))
+}
+
+fn language(catalogue: &Catalogue) -> Arg {
+    let tags = Language::ALL.map(Language::tag);
+    Arg::new("lang")
+        .long("lang")
+        .value_name("LANG")
+        .global(true)
+        .value_parser(PossibleValuesParser::new(tags))
+        .hide_possible_values(true)
+        .help_heading(catalogue.text("cli-heading-options"))
+        .help(catalogue.text("cli-lang"))
+}
+
+fn completions(catalogue: &Catalogue) -> Command {
+    let command = Command::new("completions")
+        .about(catalogue.text("cli-completions"))
+        .override_usage(usage("completions", "SHELL".to_owned(), catalogue))
+        .after_help(catalogue.text("cli-completions-examples"))
+        .arg(
+            Arg::new("shell")
+                .value_name("SHELL")
+                .required(true)
+                .value_parser(value_parser!(Shell))
+                .hide_possible_values(true)
+                .help_heading(catalogue.text("cli-heading-arguments"))
+                .help(catalogue.text("cli-shell")),
+        );
+    common(command, catalogue)
+}
+
+fn manual(catalogue: &Catalogue) -> Command {
+    let command = Command::new("man")
+        .about(catalogue.text("cli-man"))
+        .override_usage(usage("man", String::new(), catalogue))
+        .after_help(catalogue.text("cli-man-examples"));
+    common(command, catalogue)
+}
+
+fn simulate(catalogue: &Catalogue) -> Command {
+    let command = Command::new("simulate")
+        .about(catalogue.text("cli-simulate"))
+        .override_usage(usage("simulate", "[EXPERIMENT.toml]".to_owned(), catalogue))
+        .after_help(catalogue.text("cli-simulate-examples"))
+        .arg(
+            Arg::new("experiment")
+                .value_name("EXPERIMENT.toml")
+                .value_parser(value_parser!(PathBuf))
+                .help_heading(catalogue.text("cli-heading-arguments"))
+                .help(catalogue.text("cli-experiment")),
+        )
+        .args(method(catalogue))
+        .args(output(catalogue))
+        .args(Field::ALL.iter().map(|field| {
+            quantity(field.flag(), field.info(), catalogue)
+                .help_heading(catalogue.text("cli-heading-overrides"))
+        }));
+    common(command, catalogue)
+}
+
+fn method(catalogue: &Catalogue) -> [Arg; 2] {
+    let heading = catalogue.text("cli-heading-options");
+    let methods = Method::ALL.map(Method::name).join(", ");
+    [
+        choice("method", Method::ALL.map(Method::name), catalogue)
+            .help_heading(heading.clone())
+            .help(catalogue.format("cli-method", &[("methods", methods.into())])),
+        quantity("dt".to_owned(), &federpendel::parameter::TIME_STEP, catalogue)
+            .help_heading(heading)
+            .help(catalogue.text("cli-dt")),
+    ]
+}
+
+fn output(catalogue: &Catalogue) -> [Arg; 4] {
+    let heading = catalogue.text("cli-heading-options");
+    let file = catalogue.text("cli-value-file");
+    [
+        Arg::new("output")
+            .long("output")
+            .short('o')
+            .value_name(file)
+            .action(ArgAction::Append)
+            .value_parser(value_parser!(PathBuf))
+            .help(catalogue.format("cli-output", &[("forms", Format::extensions().into())])),
+        choice("format", Format::ON_STDOUT.map(Format::name), catalogue)
+            .help(catalogue.text("cli-format")),
+        choice("csv-dialect", Dialect::ALL.map(Dialect::name), catalogue)
+            .help(catalogue.text("cli-csv-dialect")),
+        Arg::new("details")
+            .long("details")
+            .action(ArgAction::SetTrue)
+            .help(catalogue.text("cli-details")),
+    ]
+    .map(|arg| arg.help_heading(heading.clone()))
+}
+
+/// A flag with one of a few words; its help names them.
+fn choice<const N: usize>(
+    name: &'static str,
+    words: [&'static str; N],
+    catalogue: &Catalogue,
+) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(catalogue.text("cli-value-name"))
+        .value_parser(PossibleValuesParser::new(words))
+        .hide_possible_values(true)
+}
+
+/// A flag that takes a quantity, "-5cm" included.
+fn quantity(name: String, info: &ParameterInfo, catalogue: &Catalogue) -> Arg {
+    let text = catalogue.parameter(info);
+    let symbol = text.symbol;
+    let unit = if text.unit.is_empty() { String::new() } else { format!(" [{}]", text.unit) };
+    Arg::new(name.clone())
+        .long(name)
+        .value_name(catalogue.text("cli-value-quantity"))
+        .allow_hyphen_values(true)
+        .help(format!("{}, {symbol}{unit}", text.description))
+}

@@ -1,0 +1,68 @@
+//! clap's refusals in the user's language.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use federpendel_text::Catalogue;
+
+/// One sentence that names what is wrong and what is allowed.
+pub(super) fn sentence(error: &clap::Error, catalogue: &Catalogue) -> String {
+    let context = |kind| words(error.get(kind));
+    let argument = flag_only(&context(ContextKind::InvalidArg));
+    let value = context(ContextKind::InvalidValue);
+    let say = |id: &str| {
+        let allowed = allowed(error);
+        catalogue.format(
+            id,
+            &[
+                ("argument", argument.as_str().into()),
+                ("value", value.as_str().into()),
+                ("allowed", allowed.into()),
+            ],
+        )
+    };
+    match error.kind() {
+        ErrorKind::UnknownArgument => match context(ContextKind::SuggestedArg) {
+            near if near.is_empty() => say("cli-unknown-argument"),
+            near => catalogue.format(
+                "cli-unknown-argument-near",
+                &[("argument", argument.as_str().into()), ("nearest", near.into())],
+            ),
+        },
+        ErrorKind::InvalidSubcommand => catalogue.format(
+            "cli-unknown-command",
+            &[
+                ("argument", context(ContextKind::InvalidSubcommand).into()),
+                ("allowed", "simulate, completions, man".into()),
+            ],
+        ),
+        ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            catalogue
+                .format("cli-missing-command", &[("allowed", "simulate, completions, man".into())])
+        }
+        ErrorKind::InvalidValue if value.is_empty() => say("cli-missing-value"),
+        ErrorKind::InvalidValue => say("cli-invalid-value"),
+        ErrorKind::ArgumentConflict => say("cli-given-twice"),
+        ErrorKind::MissingRequiredArgument => say("cli-missing-argument"),
+        ErrorKind::TooManyValues => say("cli-no-value-allowed"),
+        ErrorKind::InvalidUtf8 => catalogue.text("cli-argument-not-utf8"),
+        _ => error.render().to_string().trim().trim_start_matches("error: ").to_owned(),
+    }
+}
+
+fn words(value: Option<&ContextValue>) -> String {
+    match value {
+        Some(ContextValue::String(word)) => word.clone(),
+        Some(ContextValue::Strings(words)) => words.join(", "),
+        Some(other) => other.to_string(),
+        None => String::new(),
+    }
+}
+
+/// The words allowed; those of shells clap knows itself.
+fn allowed(error: &clap::Error) -> String {
+    words(error.get(ContextKind::ValidValue))
+}
+
+/// "--mass <QUANTITY>" without the name of its value.
+fn flag_only(argument: &str) -> String {
+    argument.split(" <").next().unwrap_or(argument).to_owned()
+}

@@ -1,0 +1,35 @@
+//! Experiments: what a file and the command line's overrides say, checked as a whole.
+
+mod draft;
+mod error;
+mod field;
+mod file;
+mod resolve;
+
+pub use draft::{Draft, Given, Origin};
+pub use error::{Allowed, Error};
+pub use field::Field;
+pub use file::{LARGEST_FILE, parse};
+
+use federpendel::{NormalForce, Oscillator, State};
+
+/// The experiment that runs when no file is given.
+pub const BUILT_IN: &str = include_str!("experiment/built-in.toml");
+
+/// A complete experiment, checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Experiment {
+    /// The mass, the spring and the friction.
+    pub oscillator: Oscillator,
+    /// What presses the mass on its guide, whether or not Coulomb friction acts.
+    pub normal_force: NormalForce,
+    /// Where and how fast it is released.
+    pub release: State,
+    /// Length of the record, s, if it is given.
+    pub duration: Option<f64>,
+    /// Number of samples.
+    pub samples: usize,
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,46 @@
+//! How the program ends when it cannot do what was asked.
+
+use std::io;
+use std::process::ExitCode;
+
+use console::style;
+use federpendel_text::Catalogue;
+
+/// Why nothing, or no more, was written.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The input is bad; the sentence says what is allowed. Exit status 2.
+    Input(String),
+    /// The system refuses; the sentence says what. Exit status 1.
+    System(String),
+    /// The reader of our output has seen enough. Quiet, and no failure to the shell.
+    BrokenPipe,
+}
+
+impl Failure {
+    /// A failure to read or write `name`.
+    pub(crate) fn system(catalogue: &Catalogue, name: &str, error: &io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Failure::BrokenPipe;
+        }
+        let variables = [("name", name.into()), ("problem", error.to_string().into())];
+        Failure::System(catalogue.format("cli-system-refuses", &variables))
+    }
+
+    /// Bad input to the core.
+    pub(crate) fn core(catalogue: &Catalogue, error: &federpendel::Error) -> Self {
+        Failure::Input(catalogue.error(error))
+    }
+
+    /// Says it on standard error and gives the exit status.
+    pub(crate) fn report(&self, catalogue: &Catalogue) -> ExitCode {
+        let (sentence, status) = match self {
+            Failure::Input(sentence) => (sentence, 2),
+            Failure::System(sentence) => (sentence, 1),
+            Failure::BrokenPipe => return ExitCode::SUCCESS,
+        };
+        let label = style(catalogue.text("cli-error")).for_stderr().red().bold();
+        eprintln!("{label}: {sentence}");
+        ExitCode::from(status)
+    }
+}

@@ -1,0 +1,100 @@
+//! Where results go, and in which form: one file of this folder for each.
+
+mod csv;
+mod json;
+mod summary;
+mod targets;
+mod whole;
+
+pub use csv::Dialect;
+pub(crate) use targets::Targets;
+
+use std::io::{self, BufWriter, Write};
+
+use federpendel_text::Catalogue;
+
+use crate::failure::Failure;
+use crate::record::Record;
+
+/// A form of output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// One plot, one sentence, a short table, for a person.
+    Summary,
+    /// A table of samples.
+    Csv,
+    /// Everything, for a program.
+    Json,
+}
+
+impl Format {
+    /// The forms that a file can have.
+    pub const IN_FILES: [Format; 2] = [Format::Csv, Format::Json];
+    /// The forms that standard output can get.
+    pub const ON_STDOUT: [Format; 3] = [Format::Summary, Format::Csv, Format::Json];
+
+    /// Its name on the command line, and the extension of its files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Summary => "summary",
+            Format::Csv => "csv",
+            Format::Json => "json",
+        }
+    }
+
+    /// The extensions of files, for a person.
+    pub fn extensions() -> String {
+        Self::IN_FILES.map(|format| format!(".{}", format.name())).join(", ")
+    }
+
+    /// The form of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ON_STDOUT.into_iter().chain(Self::IN_FILES).find(|format| format.name() == name)
+    }
+}
+
+/// What a form of output may depend on besides the record.
+#[derive(Debug, Clone, Copy)]
+struct Style<'a> {
+    catalogue: &'a Catalogue,
+    dialect: Dialect,
+    details: bool,
+}
+
+/// Writes `record` to all targets: the files appear together and whole, then standard output.
+pub(crate) fn write(
+    record: &Record,
+    targets: &Targets,
+    catalogue: &Catalogue,
+) -> Result<(), Failure> {
+    let style = Style { catalogue, dialect: targets.dialect, details: targets.details };
+    whole::write(&targets.files, catalogue, |format, out| render(record, format, style, out))?;
+    for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
+        eprintln!("{}", catalogue.format("cli-written", &[("name", path.into())]));
+    }
+    to_stdout(|out| render(record, targets.stdout, style, out), catalogue)
+}
+
+fn render(
+    record: &Record,
+    format: Format,
+    style: Style<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
+        Format::Summary => summary::write(record, style, out),
+        Format::Csv => csv::write(record, style.dialect, out),
+        Format::Json => json::write(record, out),
+    }
+}
+
+/// Lets `write` write to standard output.
+pub(crate) fn to_stdout(
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    catalogue: &Catalogue,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    write(&mut out)
+        .and_then(|()| out.flush())
+        .map_err(|error| Failure::system(catalogue, &catalogue.text("cli-stdout"), &error))
+}

@@ -1,0 +1,93 @@
+//! Which outputs are asked for, checked before anything is computed.
+
+use std::path::{Path, PathBuf, absolute};
+
+use federpendel_text::Catalogue;
+
+use super::{Dialect, Format};
+use crate::args::Simulate;
+use crate::failure::Failure;
+
+/// The name of standard output among files.
+const STDOUT: &str = "-";
+
+/// Where results go.
+#[derive(Debug)]
+pub(crate) struct Targets {
+    /// Files, each with its form.
+    pub(super) files: Vec<(PathBuf, Format)>,
+    /// The form for standard output.
+    pub(super) stdout: Format,
+    /// How CSV is written.
+    pub(super) dialect: Dialect,
+    /// Whether the summary tells everything.
+    pub(super) details: bool,
+}
+
+impl Targets {
+    /// Takes the targets from the arguments.
+    ///
+    /// # Errors
+    /// An extension that no form has, a folder, the same file twice.
+    pub(crate) fn check(arguments: &Simulate, catalogue: &Catalogue) -> Result<Self, Failure> {
+        let mut files: Vec<(PathBuf, Format)> = Vec::new();
+        let mut taken: Vec<PathBuf> = arguments.experiment.iter().map(|path| real(path)).collect();
+        let mut asks_stdout = false;
+        for path in &arguments.outputs {
+            let name = path.display().to_string();
+            let refuse =
+                |id| Failure::Input(catalogue.format(id, &[("name", name.clone().into())]));
+            let place = if path == Path::new(STDOUT) { path.clone() } else { real(path) };
+            if taken.contains(&place) {
+                return Err(refuse("cli-output-twice"));
+            }
+            taken.push(place);
+            if path == Path::new(STDOUT) {
+                asks_stdout = true;
+                continue;
+            }
+            if path.is_dir() {
+                return Err(refuse("cli-output-folder"));
+            }
+            if path.exists() && !path.is_file() {
+                return Err(refuse("cli-output-special"));
+            }
+            files.push((path.clone(), format_of(path, &name, catalogue)?));
+        }
+        // Someone who names standard output as a file wants data there, not prose.
+        let unsaid = if asks_stdout { Format::Csv } else { Format::Summary };
+        Ok(Self {
+            files,
+            stdout: arguments.format.unwrap_or(unsaid),
+            dialect: arguments.dialect,
+            details: arguments.details,
+        })
+    }
+}
+
+fn format_of(path: &Path, name: &str, catalogue: &Catalogue) -> Result<Format, Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
+    let extension = extension.to_ascii_lowercase();
+    let known = Format::IN_FILES.into_iter().find(|format| format.name() == extension);
+    known.ok_or_else(|| {
+        let allowed = Format::extensions();
+        Failure::Input(
+            catalogue.format(
+                "cli-output-extension",
+                &[("name", name.into()), ("allowed", allowed.into())],
+            ),
+        )
+    })
+}
+
+/// One spelling for each file, also for one that is not there yet.
+fn real(path: &Path) -> PathBuf {
+    if let Ok(path) = path.canonicalize() {
+        return path;
+    }
+    let whole = absolute(path).unwrap_or_else(|_| path.to_owned());
+    match (whole.parent().and_then(|folder| folder.canonicalize().ok()), whole.file_name()) {
+        (Some(folder), Some(name)) => folder.join(name),
+        _ => whole,
+    }
+}

@@ -1,0 +1,64 @@
+//! Sentences about quantities.
+
+use federpendel::parameter::Range;
+use federpendel_text::Catalogue;
+
+use crate::quantity::{Dimension, Error, LONGEST};
+
+/// What is wrong with a text that should be a quantity.
+pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
+    match error {
+        Error::Empty => catalogue.text("quantity-empty"),
+        Error::TooLong { length } => catalogue.format(
+            "quantity-too-long",
+            &[("length", (*length).into()), ("limit", LONGEST.into())],
+        ),
+        Error::NoNumber => catalogue.text("quantity-no-number"),
+        Error::Ambiguous { decimal, grouped } => catalogue.format(
+            "quantity-ambiguous",
+            &[("decimal", localised(catalogue, decimal)), ("grouped", grouped.as_str().into())],
+        ),
+        Error::Grouped { plain } => {
+            catalogue.format("quantity-grouped", &[("plain", localised(catalogue, plain))])
+        }
+        Error::NotFinite => catalogue.text("quantity-not-finite"),
+        Error::Overflow => catalogue.text("quantity-overflow"),
+        Error::Underflow => catalogue.text("quantity-underflow"),
+        Error::UnknownUnit { unit, nearest: None } => {
+            catalogue.format("quantity-unknown-unit", &[("unit", unit.as_str().into())])
+        }
+        Error::UnknownUnit { unit, nearest: Some(nearest) } => catalogue.format(
+            "quantity-unknown-unit-near",
+            &[("unit", unit.as_str().into()), ("nearest", nearest.as_str().into())],
+        ),
+        Error::UnitGrammar { unit } => {
+            catalogue.format("quantity-unit-grammar", &[("unit", unit.as_str().into())])
+        }
+        Error::WrongDimension { unit, found: Some(found) } => catalogue.format(
+            "quantity-wrong-dimension",
+            &[("unit", unit.as_str().into()), ("found", measure(catalogue, *found).into())],
+        ),
+        Error::WrongDimension { unit, found: None } => {
+            catalogue.format("quantity-nameless-dimension", &[("unit", unit.as_str().into())])
+        }
+    }
+}
+
+/// What is allowed for a quantity: “a mass (kg, g, mg, t, lb), a finite number greater than 0”.
+pub fn allowed(catalogue: &Catalogue, dimension: Dimension, range: Range) -> String {
+    let range = catalogue.range(range);
+    if dimension == Dimension::Number {
+        return range;
+    }
+    let units = dimension.units().join(", ");
+    format!("{} ({units}), {range}", measure(catalogue, dimension))
+}
+
+/// “a mass”.
+fn measure(catalogue: &Catalogue, dimension: Dimension) -> String {
+    catalogue.text(&format!("dimension-{}", dimension.key()))
+}
+
+fn localised(catalogue: &Catalogue, number: &str) -> federpendel_text::Value<'static> {
+    number.replace('.', &catalogue.language().decimal_sign().to_string()).into()
+}
