@@ -23,7 +23,14 @@ impl Failure {
         if error.kind() == io::ErrorKind::BrokenPipe {
             return Failure::BrokenPipe;
         }
-        let variables = [("name", name.into()), ("problem", error.to_string().into())];
+        let problem = match error.kind() {
+            io::ErrorKind::NotFound => catalogue.text("cli-not-found"),
+            io::ErrorKind::PermissionDenied => catalogue.text("cli-permission-denied"),
+            io::ErrorKind::IsADirectory => catalogue.text("cli-is-a-folder"),
+            io::ErrorKind::StorageFull => catalogue.text("cli-storage-full"),
+            _ => error.to_string(),
+        };
+        let variables = [("name", name.into()), ("problem", problem.into())];
         Failure::System(catalogue.format("cli-system-refuses", &variables))
     }
 

@@ -2,6 +2,7 @@
 
 mod csv;
 mod json;
+mod plot;
 mod summary;
 mod targets;
 mod whole;
@@ -14,7 +15,7 @@ use std::io::{self, BufWriter, Write};
 use federpendel_text::Catalogue;
 
 use crate::failure::Failure;
-use crate::record::Record;
+use crate::record::{MOST_POINTS, Record};
 
 /// A form of output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,11 +26,15 @@ pub enum Format {
     Csv,
     /// Everything, for a program.
     Json,
+    /// A picture that can be enlarged.
+    Svg,
+    /// A picture of pixels.
+    Png,
 }
 
 impl Format {
     /// The forms that a file can have.
-    pub const IN_FILES: [Format; 2] = [Format::Csv, Format::Json];
+    pub const IN_FILES: [Format; 4] = [Format::Csv, Format::Json, Format::Svg, Format::Png];
     /// The forms that standard output can get.
     pub const ON_STDOUT: [Format; 3] = [Format::Summary, Format::Csv, Format::Json];
 
@@ -39,6 +44,8 @@ impl Format {
             Format::Summary => "summary",
             Format::Csv => "csv",
             Format::Json => "json",
+            Format::Svg => "svg",
+            Format::Png => "png",
         }
     }
 
@@ -67,12 +74,34 @@ pub(crate) fn write(
     targets: &Targets,
     catalogue: &Catalogue,
 ) -> Result<(), Failure> {
+    guard_turning_points(record, targets, catalogue)?;
     let style = Style { catalogue, dialect: targets.dialect, details: targets.details };
     whole::write(&targets.files, catalogue, |format, out| render(record, format, style, out))?;
     for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
         eprintln!("{}", catalogue.format("cli-written", &[("name", path.into())]));
     }
     to_stdout(|out| render(record, targets.stdout, style, out), catalogue)
+}
+
+/// JSON lists every turning point; a file that never ends helps nobody.
+fn guard_turning_points(
+    record: &Record,
+    targets: &Targets,
+    catalogue: &Catalogue,
+) -> Result<(), Failure> {
+    let forms = targets.files.iter().map(|(_, format)| *format).chain([targets.stdout]);
+    let number = record.expected_turning_points();
+    if number <= MOST_POINTS || forms.into_iter().all(|format| format != Format::Json) {
+        return Ok(());
+    }
+    Err(Failure::Input(catalogue.format(
+        "output-too-many-points",
+        &[
+            ("duration", catalogue.exact_quantity(record.duration, "s").into()),
+            ("number", catalogue.number(number, 2).into()),
+            ("limit", catalogue.number(MOST_POINTS, 2).into()),
+        ],
+    )))
 }
 
 fn render(
@@ -85,6 +114,8 @@ fn render(
         Format::Summary => summary::write(record, style, out),
         Format::Csv => csv::write(record, style.dialect, out),
         Format::Json => json::write(record, out),
+        Format::Svg => plot::write_svg(record, style.catalogue, out),
+        Format::Png => plot::write_png(record, style.catalogue, out),
     }
 }
 

@@ -12,16 +12,17 @@ use crate::experiment::{self, BUILT_IN, Experiment, LARGEST_FILE};
 use crate::failure::Failure;
 use crate::output::{self, Targets};
 use crate::progress::Progress;
-use crate::record::{BYTES_PER_SAMPLE, Record};
-use crate::words::experiment_error;
+use crate::record::{BYTES_PER_SAMPLE, Method, Record};
+use crate::words::{experiment_error, time_step_value};
 
 /// Memory taken to be free on a system that does not say, bytes.
 const UNKNOWN_MEMORY: u64 = 1 << 30;
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
     let targets = Targets::check(arguments, catalogue)?;
+    let time_step = time_step(arguments, catalogue)?;
     let experiment = experiment(arguments, catalogue)?;
-    let record = compute(experiment, arguments, catalogue)?;
+    let record = compute(experiment, arguments.method, time_step, catalogue)?;
     output::write(&record, &targets, catalogue)
 }
 
@@ -66,12 +67,24 @@ fn samples_that_fit() -> usize {
     usize::try_from(free / 2 / BYTES_PER_SAMPLE).unwrap_or(usize::MAX)
 }
 
+/// The time step, if one is given; only the scheme takes steps.
+fn time_step(arguments: &Simulate, catalogue: &Catalogue) -> Result<Option<f64>, Failure> {
+    let Some(written) = &arguments.time_step else { return Ok(None) };
+    if arguments.method != Method::ArticleScheme {
+        let variables =
+            [("value", written.as_str().into()), ("method", arguments.method.name().into())];
+        return Err(Failure::Input(catalogue.format("cli-dt-without-scheme", &variables)));
+    }
+    time_step_value(catalogue, written).map(Some).map_err(Failure::Input)
+}
+
 fn compute(
     experiment: Experiment,
-    arguments: &Simulate,
+    method: Method,
+    time_step: Option<f64>,
     catalogue: &Catalogue,
 ) -> Result<Record, Failure> {
     let progress = Progress::start(catalogue, experiment.samples as u64);
-    Record::compute(experiment, arguments.method, &progress)
+    Record::compute(experiment, method, time_step, &progress)
         .map_err(|error| Failure::core(catalogue, &error))
 }

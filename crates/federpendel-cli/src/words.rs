@@ -4,4 +4,4 @@ mod experiment;
 mod quantity;
 
 pub use experiment::experiment_error;
-pub use quantity::{allowed, quantity_problem};
+pub use quantity::{allowed, quantity_problem, time_step_value};

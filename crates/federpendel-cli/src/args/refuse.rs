@@ -1,6 +1,8 @@
 //! clap's refusals in the user's language.
 
+use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap_complete::Shell;
 use federpendel_text::Catalogue;
 
 /// One sentence that names what is wrong and what is allowed.
@@ -41,7 +43,10 @@ pub(super) fn sentence(error: &clap::Error, catalogue: &Catalogue) -> String {
         ErrorKind::InvalidValue if value.is_empty() => say("cli-missing-value"),
         ErrorKind::InvalidValue => say("cli-invalid-value"),
         ErrorKind::ArgumentConflict => say("cli-given-twice"),
-        ErrorKind::MissingRequiredArgument => say("cli-missing-argument"),
+        ErrorKind::MissingRequiredArgument => catalogue.format(
+            "cli-missing-argument",
+            &[("argument", argument.as_str().into()), ("allowed", shells().into())],
+        ),
         ErrorKind::TooManyValues => say("cli-no-value-allowed"),
         ErrorKind::InvalidUtf8 => catalogue.text("cli-argument-not-utf8"),
         _ => error.render().to_string().trim().trim_start_matches("error: ").to_owned(),
@@ -57,9 +62,14 @@ fn words(value: Option<&ContextValue>) -> String {
     }
 }
 
-/// The words allowed; those of shells clap knows itself.
+/// The words allowed for a value.
 fn allowed(error: &clap::Error) -> String {
     words(error.get(ContextKind::ValidValue))
+}
+
+/// The shells; theirs is the only argument that must be given.
+fn shells() -> String {
+    Shell::value_variants().iter().map(Shell::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// "--mass <QUANTITY>" without the name of its value.

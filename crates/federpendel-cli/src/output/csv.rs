@@ -45,7 +45,7 @@ pub(super) fn write(record: &Record, dialect: Dialect, out: &mut dyn Write) -> i
         .terminator(Terminator::Any(b'\n'))
         .from_writer(out);
     table.write_record(HEADER)?;
-    for sample in &record.samples {
+    for sample in record.samples() {
         let numbers = [sample.time, sample.position, sample.velocity, sample.acceleration];
         for number in numbers {
             table.write_field(cell(number, dialect))?;

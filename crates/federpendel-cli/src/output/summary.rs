@@ -5,21 +5,31 @@ mod table;
 
 use std::io::{self, Write};
 
-use federpendel::{Outcome, Regime};
+use federpendel::{Mix, Outcome, Regime};
 
-use super::Style;
-use crate::record::{Method, Record};
+use super::{Style, plot};
+use crate::record::{Record, Source};
 use table::Table;
 
 /// Digits of a quantity in a table.
 const DIGITS: usize = 4;
 
+/// Rows of sentence, table and the next prompt.
+const ROWS_BELOW: usize = 9;
+
+/// Columns and rows of the plot where no terminal says how large it is.
+const PAPER: (usize, usize) = (80, 20);
+
 pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
     let catalogue = style.catalogue;
+    plot::write_terminal(record, catalogue, room(), out)?;
     let outcome = catalogue.outcome(&record.outcome);
     writeln!(out, "{}", catalogue.format("summary-sentence", &[("outcome", outcome.into())]))?;
     if matches!(record.outcome, Outcome::Rests(rest) if rest.tie) {
         writeln!(out, "{}", catalogue.text("summary-tie"))?;
+    }
+    if let Some(sentence) = deviation(record, style) {
+        writeln!(out, "{sentence}")?;
     }
     writeln!(out)?;
     short_table(record, style)?.write(out)?;
@@ -29,12 +39,38 @@ pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> i
     Ok(())
 }
 
+/// How far the method asked for is from the exact motion.
+fn deviation(record: &Record, style: Style<'_>) -> Option<String> {
+    let catalogue = style.catalogue;
+    let (time, distance) = record.largest_deviation()?;
+    Some(catalogue.format(
+        "summary-deviation",
+        &[
+            ("method", record.method.name().into()),
+            ("distance", catalogue.quantity(distance, "m", DIGITS).into()),
+            ("time", catalogue.quantity(time, "s", DIGITS).into()),
+        ],
+    ))
+}
+
+/// Columns and rows for the plot, such that the first screen holds what follows it too.
+fn room() -> (usize, usize) {
+    let Some((rows, columns)) = console::Term::stdout().size_checked() else {
+        return PAPER;
+    };
+    let rows = usize::from(rows).saturating_sub(ROWS_BELOW).clamp(12, 30);
+    (usize::from(columns).clamp(40, 120), rows)
+}
+
 /// What most people want to know besides the sentence.
 fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     let catalogue = style.catalogue;
     let oscillator = record.motion.oscillator();
     let mut table = Table::new(catalogue);
-    table.row("summary-friction", catalogue.mix(oscillator.friction().mix()));
+    let mix = oscillator.friction().mix();
+    let acts =
+        if mix == Mix::default() { catalogue.text("summary-none") } else { catalogue.mix(mix) };
+    table.row("summary-friction", acts);
     match oscillator.period() {
         Some(period) => {
             let value = catalogue.format(
@@ -70,14 +106,33 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     let value = catalogue.format(
         "summary-record-value",
         &[
-            ("samples", record.samples.len().to_string().into()),
+            ("samples", record.samples().len().to_string().into()),
             ("duration", catalogue.quantity(record.duration, "s", DIGITS).into()),
         ],
     );
     table.row("summary-record", value);
-    if record.method != Method::Exact {
-        table.row("summary-method", record.method.name().to_owned());
+    if let Some(other) = &record.other {
+        table.row("summary-method", method(record, other.source, style));
+        return Ok(table);
     }
     table.row("summary-kind", catalogue.kind(record.motion.kind()));
     Ok(table)
+}
+
+/// The method asked for and how it made its samples.
+fn method(record: &Record, source: Source, style: Style<'_>) -> String {
+    let catalogue = style.catalogue;
+    let name = record.method.name();
+    match source {
+        Source::Equation(number) => catalogue.format(
+            "summary-method-equation",
+            &[("method", name.into()), ("equation", number.into())],
+        ),
+        Source::Steps { time_step, interpolated } => {
+            let id =
+                if interpolated { "summary-method-interpolated" } else { "summary-method-steps" };
+            let time_step = catalogue.quantity(time_step, "s", DIGITS);
+            catalogue.format(id, &[("method", name.into()), ("step", time_step.into())])
+        }
+    }
 }

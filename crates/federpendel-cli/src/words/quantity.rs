@@ -1,6 +1,6 @@
 //! Sentences about quantities.
 
-use federpendel::parameter::Range;
+use federpendel::parameter::{self, Range};
 use federpendel_text::Catalogue;
 
 use crate::quantity::{Dimension, Error, LONGEST};
@@ -42,6 +42,33 @@ pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
             catalogue.format("quantity-nameless-dimension", &[("unit", unit.as_str().into())])
         }
     }
+}
+
+/// The time step that `--dt` gives as `written`, s.
+///
+/// # Errors
+/// The sentence that refuses it.
+pub fn time_step_value(catalogue: &Catalogue, written: &str) -> Result<f64, String> {
+    let info = &parameter::TIME_STEP;
+    let value = crate::quantity::parse(written, Dimension::Time);
+    let problem = match &value {
+        Ok(value) if info.range.contains(*value) => return Ok(*value),
+        Ok(_) => None,
+        Err(error) => Some(quantity_problem(catalogue, error)),
+    };
+    let allowed = allowed(catalogue, Dimension::Time, info.range);
+    let mut variables = vec![
+        ("name", "--dt".into()),
+        ("value", format!("\"{written}\"").into()),
+        ("allowed", allowed.into()),
+    ];
+    Err(match problem {
+        None => catalogue.format("experiment-refusal", &variables),
+        Some(problem) => {
+            variables.push(("problem", problem.into()));
+            catalogue.format("experiment-quantity", &variables)
+        }
+    })
 }
 
 /// What is allowed for a quantity: “a mass (kg, g, mg, t, lb), a finite number greater than 0”.

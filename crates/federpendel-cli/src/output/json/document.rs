@@ -3,7 +3,7 @@
 use federpendel::{Mode, NormalForce, Oscillator, Outcome, Sample, TurningPoint};
 use serde::{Serialize, Serializer};
 
-use crate::record::Record;
+use crate::record::{Record, Source};
 
 #[derive(Serialize)]
 struct Schema {
@@ -95,7 +95,7 @@ struct Energy {
     initial: f64,
     kinetic: f64,
     potential: f64,
-    heat: HeatFields,
+    heat: Option<HeatFields>,
 }
 
 #[derive(Serialize)]
@@ -114,16 +114,43 @@ impl Serialize for Points<'_> {
     }
 }
 
-/// The whole JSON.
+/// How samples that are not exact were made.
+#[derive(Serialize)]
+struct MethodFields {
+    method: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equation: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dt: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interpolated: Option<bool>,
+}
+
+impl MethodFields {
+    fn new(record: &Record) -> Option<Self> {
+        let other = record.other.as_ref()?;
+        let (equation, dt, interpolated) = match other.source {
+            Source::Equation(number) => (Some(number), None, None),
+            Source::Steps { time_step, interpolated } => {
+                (None, Some(time_step), Some(interpolated))
+            }
+        };
+        Some(Self { method: record.method.name(), equation, dt, interpolated })
+    }
+}
+
+/// The whole JSON. What only the exact motion knows is null for other methods.
 #[derive(Serialize)]
 pub(super) struct Document<'a> {
     schema: Schema,
     oscillator: OscillatorFields,
     derived: Derived,
-    kind: &'static str,
-    error_bound: f64,
+    #[serde(flatten)]
+    method: Option<MethodFields>,
+    kind: Option<&'static str>,
+    error_bound: Option<f64>,
     samples: Samples<'a>,
-    turning_points: Points<'a>,
+    turning_points: Option<Points<'a>>,
     rest: Option<RestFields>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rest_unknown_after: Option<f64>,
@@ -133,15 +160,18 @@ pub(super) struct Document<'a> {
 
 impl<'a> Document<'a> {
     pub(super) fn new(record: &'a Record) -> federpendel::Result<Self> {
-        let ends = Ends::new(&record.outcome);
+        let exact = record.other.is_none();
+        let ends = if exact { Ends::new(&record.outcome) } else { Ends::default() };
+        let bound = record.motion.error_bound(record.duration)?;
         Ok(Self {
             schema: Schema { name: "federpendel-simulation", version: 1 },
             oscillator: oscillator(record),
             derived: derived(record.motion.oscillator()),
-            kind: record.motion.kind().name(),
-            error_bound: record.motion.error_bound(record.duration)?,
-            samples: samples(&record.samples),
-            turning_points: Points(record),
+            method: MethodFields::new(record),
+            kind: exact.then(|| record.motion.kind().name()),
+            error_bound: exact.then_some(bound),
+            samples: samples(record.samples()),
+            turning_points: exact.then_some(Points(record)),
             rest: ends.rest,
             rest_unknown_after: ends.unknown_after,
             limit: ends.limit,
@@ -226,15 +256,19 @@ impl Ends {
 }
 
 fn energy(record: &Record) -> federpendel::Result<Energy> {
+    let initial = record.motion.initial_energy();
+    if let Some(other) = &record.other {
+        let oscillator = record.motion.oscillator();
+        let end = other.samples.last().map_or(record.motion.release(), Sample::state);
+        let kinetic = oscillator.kinetic_energy(end);
+        let potential = oscillator.potential_energy(end);
+        return Ok(Energy { initial, kinetic, potential, heat: None });
+    }
     let ledger = record.ledger_at_end()?;
-    Ok(Energy {
-        initial: record.motion.initial_energy(),
-        kinetic: ledger.kinetic,
-        potential: ledger.potential,
-        heat: HeatFields {
-            stokes: ledger.heat.stokes,
-            coulomb: ledger.heat.coulomb,
-            newton: ledger.heat.newton,
-        },
-    })
+    let heat = HeatFields {
+        stokes: ledger.heat.stokes,
+        coulomb: ledger.heat.coulomb,
+        newton: ledger.heat.newton,
+    };
+    Ok(Energy { initial, kinetic: ledger.kinetic, potential: ledger.potential, heat: Some(heat) })
 }

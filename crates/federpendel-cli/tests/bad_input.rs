@@ -1,0 +1,174 @@
+//! Bad input: exit status 2, one message that names the field, its value and what is allowed, and
+//! nothing written; status 1 for what the system refuses.
+
+mod common;
+
+use common::{Finished, Workplace};
+
+/// Runs `simulate` with `arguments` and an output file; asserts that it is refused and leaves nothing.
+fn refused(status: i32, arguments: &[&str], file: Option<&[u8]>) -> String {
+    let workplace = Workplace::new();
+    let mut words = vec!["simulate"];
+    if let Some(file) = file {
+        workplace.write("my.toml", file);
+        words.push("my.toml");
+    }
+    words.extend(arguments);
+    words.extend(["-o", "motion.csv", "-o", "motion.json"]);
+    let Finished { status: found, out, err } = workplace.run(&words);
+    assert_eq!((found, out.as_str()), (Some(status), ""), "{arguments:?}: {err}");
+    assert_eq!(err.lines().count(), 1, "{err}");
+    let left: Vec<_> = workplace.files().into_iter().filter(|name| name != "my.toml").collect();
+    assert!(left.is_empty(), "{arguments:?} left {left:?}");
+    err
+}
+
+fn flags_say(arguments: &[&str], parts: &[&str]) {
+    let message = refused(2, arguments, None);
+    for part in parts {
+        assert!(message.contains(part), "{message:?} lacks {part:?}");
+    }
+}
+
+fn file_says(file: &str, parts: &[&str]) {
+    let message = refused(2, &[], Some(file.as_bytes()));
+    for part in parts {
+        assert!(message.contains(part), "{message:?} lacks {part:?}");
+    }
+}
+
+/// A good file with one line more.
+fn with(section: &str, line: &str) -> String {
+    let good =
+        "[oscillator]\nmass = 1\nstiffness = 1\n[friction]\n[release]\nposition = 1\n[record]\n";
+    let section = format!("[{section}]\n");
+    assert!(good.contains(&section));
+    good.replace(&section, &format!("{section}{line}\n"))
+}
+
+#[test]
+fn units_and_numbers() {
+    flags_say(&["--mass", "250 m"], &["--mass", "\"250 m\"", "a length", "a mass (kg, g"]);
+    flags_say(&["--mass", "5 kgg"], &["--mass", "“kgg”", "“kg”"]);
+    flags_say(&["--mass", "1,000 kg"], &["--mass", "1 or 1000"]);
+    flags_say(&["--mass", "1.000,5 kg"], &["1000.5"]);
+    for number in ["nan", "inf", "-inf", "1e400", "1e-400", "", "kg", "1 2 kg"] {
+        flags_say(&["--mass", number], &["--mass", &format!("\"{number}\""), "a mass"]);
+    }
+    file_says(&with("oscillator", "gravity = nan"), &["my.toml:2:", "oscillator.gravity is nan"]);
+    file_says(
+        &with("release", "velocity = \"3 kg\""),
+        &["my.toml:6:", "release.velocity", "a mass"],
+    );
+}
+
+#[test]
+fn ranges() {
+    for flag in ["--mass", "--stiffness", "--duration"] {
+        for value in ["0", "-1"] {
+            flags_say(&[flag, value], &[flag, value, "greater than 0"]);
+        }
+    }
+    for flag in ["--damping", "--kinetic", "--density", "--drag-coefficient", "--area"] {
+        flags_say(&[flag, "-0.1"], &[flag, "-0.1", "0 or greater"]);
+    }
+    flags_say(&["--newton-coefficient", "-2 g/m"], &["--newton-coefficient", "0 or greater"]);
+    for samples in ["0", "1", "-4", "2.5"] {
+        flags_say(&["--samples", samples], &["--samples", samples, "whole number, 2 or greater"]);
+    }
+    flags_say(&["--samples", "1e15"], &["--samples", "1e15", "at most", "samples fit"]);
+    let scheme = |step| ["--method", "article-scheme", "--dt", step];
+    flags_say(&scheme("0"), &["--dt", "greater than 0"]);
+    flags_say(&scheme("-1 ms"), &["--dt", "-1 ms", "greater than 0"]);
+    flags_say(&scheme("3 m"), &["--dt", "3 m", "a length", "a time"]);
+    flags_say(&["--dt", "1 ms"], &["--dt", "article-scheme"]);
+}
+
+#[test]
+fn what_does_not_go_together() {
+    flags_say(&["--static", "0.01"], &["--static", "0.01", "at least", "0.02"]);
+    file_says(&with("friction", "coulomb = { static = 0.1 }"), &[":5:", "kinetic is missing"]);
+    file_says(
+        &with("friction", "newton = { density = 1, area = 1 }"),
+        &["friction.newton.density", "friction.newton.drag_coefficient is missing"],
+    );
+    file_says(
+        &with("friction", "newton = { density = 1, coefficient = 1 }"),
+        &["friction.newton.density", "friction.newton.coefficient", "only one"],
+    );
+    flags_say(&["--gravity", "9.81", "--normal-force", "3"], &["--gravity", "--normal-force"]);
+    file_says(
+        &with("oscillator", "gravity = 1\nnormal_force = 2"),
+        &["oscillator.gravity", "oscillator.normal_force", "only one"],
+    );
+    flags_say(&["--gravity", "0"], &["--gravity", "normal force greater than 0"]);
+    flags_say(&["--normal-force", "0"], &["--normal-force", "normal force greater than 0"]);
+    flags_say(&["--mass", "1e-307"], &["angular_frequency"]);
+    flags_say(&["--stiffness", "1e-300", "--mass", "1e300"], &["angular_frequency"]);
+    flags_say(&["--method", "article-printed", "--damping", "1"], &["article"]);
+}
+
+#[test]
+fn unknown_words() {
+    flags_say(&["--masss", "1"], &["--masss", "--mass?"]);
+    flags_say(&["--format", "xml"], &["--format", "xml", "summary, csv, json"]);
+    flags_say(&["--lang", "fr"], &["--lang", "fr", "en, de"]);
+    file_says(
+        &with("oscillator", "mas = 1"),
+        &["my.toml:2:", "oscillator.mas", "oscillator.mass?"],
+    );
+    file_says(&with("record", "[relase]"), &["relase", "release?", "oscillator, friction"]);
+    file_says(&with("friction", "newten = 1"), &["friction.newten", "friction.newton?"]);
+    file_says("mass = 1", &["oscillator.mass?"]);
+}
+
+#[test]
+fn odd_files() {
+    for (file, part) in [
+        (&b""[..], "empty"),
+        (b"# nothing\r\n", "empty"),
+        (b"[oscillator]\n# \xff", "UTF-8"),
+        (b"[oscillator", "my.toml:1:"),
+        (&[b' '; (1 << 20) + 1], "1048576"),
+        (&[b"a=".as_slice(), &[b'['; 100_000]].concat(), "my.toml:1:"),
+    ] {
+        let message = refused(2, &[], Some(file));
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+#[test]
+fn outputs() {
+    flags_say(&["-o", "motion.txt"], &["motion.txt", ".csv, .json, .svg, .png"]);
+    flags_say(&["-o", "motion"], &["motion", ".csv"]);
+    flags_say(&["-o", "./motion.csv"], &["motion.csv", "already"]);
+    let workplace = Workplace::new();
+    workplace.folder("folder.csv");
+    let finished = workplace.run(&["simulate", "-o", "a.csv", "-o", "folder.csv"]);
+    assert_eq!(finished.status, Some(2));
+    assert!(finished.err.contains("folder.csv is a folder"), "{}", finished.err);
+    assert_eq!(workplace.files(), ["folder.csv"]);
+}
+
+#[test]
+fn what_the_system_refuses() {
+    let message = refused(1, &["-o", "nowhere/motion.svg"], None);
+    assert!(message.contains("nowhere/motion.svg"), "{message}");
+    let finished = Workplace::new().run(&["simulate", "nowhere.toml"]);
+    assert_eq!(finished.status, Some(1));
+    assert!(finished.err.contains("nowhere.toml"), "{}", finished.err);
+}
+
+#[test]
+fn every_refusal_speaks_german_too() {
+    for (arguments, part) in [
+        (&["--mass", "250 m"][..], "eine Länge; erlaubt ist eine Masse"),
+        (&["--masss", "1"], "war --mass gemeint?"),
+        (&["--static", "0,01"], "erlaubt ist mindestens"),
+        (&["--samples", "1e15"], "passen höchstens"),
+        (&["-o", "motion.txt"], "Endung"),
+    ] {
+        let message = refused(2, &[&["--lang", "de"], arguments].concat(), None);
+        assert!(message.starts_with("Fehler: ") && message.contains(part), "{message}");
+    }
+}
