@@ -15,6 +15,7 @@ use std::io::{self, BufWriter, Write};
 use federpendel_text::Catalogue;
 
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::record::{MOST_POINTS, Record};
 
 /// A form of output.
@@ -76,7 +77,9 @@ pub(crate) fn write(
 ) -> Result<(), Failure> {
     guard_turning_points(record, targets, catalogue)?;
     let style = Style { catalogue, dialect: targets.dialect, details: targets.details };
+    let progress = Progress::writing(catalogue);
     whole::write(&targets.files, catalogue, |format, out| render(record, format, style, out))?;
+    drop(progress);
     for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
         eprintln!("{}", catalogue.format("cli-written", &[("name", path.into())]));
     }

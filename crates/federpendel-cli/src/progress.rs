@@ -18,8 +18,17 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Progress through `steps` steps; zero if their number is unknown.
-    pub(crate) fn start(catalogue: &Catalogue, steps: u64) -> Self {
+    /// Computing in `steps` steps.
+    pub(crate) fn computing(catalogue: &Catalogue, steps: u64) -> Self {
+        Self::start(catalogue.text("cli-computing"), steps)
+    }
+
+    /// Writing files, in nobody knows how many steps.
+    pub(crate) fn writing(catalogue: &Catalogue) -> Self {
+        Self::start(catalogue.text("cli-writing"), 0)
+    }
+
+    fn start(message: String, steps: u64) -> Self {
         let length = (steps > 0).then_some(steps);
         let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::hidden());
         let template =
@@ -28,7 +37,7 @@ impl Progress {
         bar.set_style(
             ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()),
         );
-        bar.set_message(catalogue.text("cli-computing"));
+        bar.set_message(message);
         let (done, finished) = mpsc::channel();
         let shown = bar.clone();
         let waiter = std::thread::spawn(move || {

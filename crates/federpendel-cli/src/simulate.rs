@@ -84,7 +84,10 @@ fn compute(
     time_step: Option<f64>,
     catalogue: &Catalogue,
 ) -> Result<Record, Failure> {
-    let progress = Progress::start(catalogue, experiment.samples as u64);
+    // A method other than the exact one goes through the samples once more.
+    let passes = if method == Method::Exact { 1 } else { 2 };
+    let steps = passes * experiment.samples as u64;
+    let progress = Progress::computing(catalogue, steps);
     Record::compute(experiment, method, time_step, &progress)
         .map_err(|error| Failure::core(catalogue, &error))
 }

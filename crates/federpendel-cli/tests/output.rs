@@ -185,3 +185,20 @@ fn help_has_examples_on_every_level() {
         }
     }
 }
+
+#[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    let program = assert_cmd::cargo::cargo_bin("federpendel");
+    for format in ["csv", "json"] {
+        let mut run = std::process::Command::new(&program)
+            .args(["simulate", "--samples", "200001", "--format", format])
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .expect("a run");
+        drop(run.stdout.take());
+        let output = run.wait_with_output().expect("an end");
+        assert_eq!(output.status.code(), Some(0), "{format}");
+        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}

@@ -197,6 +197,7 @@ cli-error = Fehler
 cli-system-refuses = { $name }: { $problem }
 cli-stdout = Standardausgabe
 cli-computing = rechnet
+cli-writing = schreibt
 cli-written = geschrieben: { $name }
 cli-about = Die exakte Bewegung einer Masse an einer Feder mit Stokesscher, Coulombscher und Newtonscher Reibung
 cli-heading-usage = Aufruf

@@ -197,6 +197,7 @@ cli-error = error
 cli-system-refuses = { $name }: { $problem }
 cli-stdout = standard output
 cli-computing = computing
+cli-writing = writing
 cli-written = written: { $name }
 cli-about = The exact motion of a mass on a spring with Stokes, Coulomb and Newton friction
 cli-heading-usage = Usage

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use csv::{Terminator, WriterBuilder};
+use csv::{ErrorKind, Terminator, WriterBuilder};
 
 use crate::record::Record;
 
@@ -39,6 +39,14 @@ impl Dialect {
 }
 
 pub(super) fn write(record: &Record, dialect: Dialect, out: &mut dyn Write) -> io::Result<()> {
+    write_table(record, dialect, out).map_err(|error| match error.into_kind() {
+        // As it is, so that a broken pipe is known as one.
+        ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    })
+}
+
+fn write_table(record: &Record, dialect: Dialect, out: &mut dyn Write) -> csv::Result<()> {
     let delimiter = if dialect == Dialect::German { b';' } else { b',' };
     let mut table = WriterBuilder::new()
         .delimiter(delimiter)
@@ -53,7 +61,7 @@ pub(super) fn write(record: &Record, dialect: Dialect, out: &mut dyn Write) -> i
         table.write_field((sample.mode as i8).to_string())?;
         table.write_record(None::<&[u8]>)?;
     }
-    table.flush()
+    Ok(table.flush()?)
 }
 
 /// The shortest text that gives back the same number.

@@ -15,21 +15,22 @@ use table::Table;
 const DIGITS: usize = 4;
 
 /// Rows of sentence, table and the next prompt.
-const ROWS_BELOW: usize = 9;
+const ROWS_BELOW: usize = 11;
 
 /// Columns and rows of the plot where no terminal says how large it is.
 const PAPER: (usize, usize) = (80, 20);
 
 pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
     let catalogue = style.catalogue;
-    plot::write_terminal(record, catalogue, room(), out)?;
+    let (columns, rows) = room();
+    plot::write_terminal(record, catalogue, (columns, rows), out)?;
     let outcome = catalogue.outcome(&record.outcome);
-    writeln!(out, "{}", catalogue.format("summary-sentence", &[("outcome", outcome.into())]))?;
-    if matches!(record.outcome, Outcome::Rests(rest) if rest.tie) {
-        writeln!(out, "{}", catalogue.text("summary-tie"))?;
-    }
-    if let Some(sentence) = deviation(record, style) {
-        writeln!(out, "{sentence}")?;
+    let sentence = catalogue.format("summary-sentence", &[("outcome", outcome.into())]);
+    let tied = matches!(record.outcome, Outcome::Rests(rest) if rest.tie);
+    let sentences =
+        [Some(sentence), tied.then(|| catalogue.text("summary-tie")), deviation(record, style)];
+    for sentence in sentences.into_iter().flatten() {
+        write!(out, "{}", wrapped(&sentence, columns))?;
     }
     writeln!(out)?;
     short_table(record, style)?.write(out)?;
@@ -37,6 +38,25 @@ pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> i
         details::write(record, style, out)?;
     }
     Ok(())
+}
+
+/// `sentence` in lines of at most `columns`.
+fn wrapped(sentence: &str, columns: usize) -> String {
+    let mut text = String::new();
+    let mut width = 0;
+    for word in sentence.split(' ') {
+        let length = console::measure_text_width(word);
+        if width > 0 && width + 1 + length > columns {
+            text.push('\n');
+            width = 0;
+        } else if width > 0 {
+            text.push(' ');
+            width += 1;
+        }
+        text.push_str(word);
+        width += length;
+    }
+    text + "\n"
 }
 
 /// How far the method asked for is from the exact motion.

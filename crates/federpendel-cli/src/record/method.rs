@@ -86,6 +86,7 @@ impl Other {
             Method::ArticleScheme => {
                 let time_step = time_step.unwrap_or_else(|| Scheme::default_time_step(oscillator));
                 let made = Scheme::new(oscillator, release, time_step)?.sample(times)?;
+                progress.advance(times.len() as u64);
                 let source = Source::Steps { time_step, interpolated: made.interpolated };
                 Ok(Some(Self { samples: made.samples, source }))
             }
