@@ -94,7 +94,8 @@ fn guard_turning_points(
 ) -> Result<(), Failure> {
     let forms = targets.files.iter().map(|(_, format)| *format).chain([targets.stdout]);
     let number = record.expected_turning_points();
-    if number <= MOST_POINTS || forms.into_iter().all(|format| format != Format::Json) {
+    let lists_none = record.other.is_some() || number <= MOST_POINTS;
+    if lists_none || forms.into_iter().all(|format| format != Format::Json) {
         return Ok(());
     }
     Err(Failure::Input(catalogue.format(

@@ -31,8 +31,11 @@ impl Progress {
     fn start(message: String, steps: u64) -> Self {
         let length = (steps > 0).then_some(steps);
         let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::hidden());
-        let template =
-            if steps > 0 { "{msg} {wide_bar} {percent} %" } else { "{spinner} {msg} {elapsed}" };
+        let template = if steps > 0 {
+            "{spinner} {msg} {wide_bar} {percent} %"
+        } else {
+            "{spinner} {msg} {elapsed}"
+        };
         // The templates are ours and well formed; the default style would do as well.
         bar.set_style(
             ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()),
