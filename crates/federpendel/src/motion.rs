@@ -9,7 +9,7 @@ use crate::chain::{Chain, Start};
 use crate::error::{Error, Result};
 use crate::oscillator::{Oscillator, State};
 use crate::parameter;
-use crate::sampling::{self, Times};
+use crate::sampling::{self, Grid, Times};
 use crate::sticking::Sticking;
 
 /// Which way the mass moves.
@@ -311,8 +311,8 @@ impl Motion {
             let (found, expected) = (velocities.len(), positions.len());
             return Err(Error::Length { name: "velocities", found, expected });
         }
-        let last = (positions.len() - 1) as f64;
-        sampling::fill(self, &Times::Even { duration, last }, positions, velocities)
+        let grid = Grid::new(self.oscillator.reduced(), duration, positions.len());
+        sampling::fill(self, &Times::Even(&grid), positions, velocities)
     }
 
     /// All turning points with t > 0, in order, one at a time; endless if the mass never rests.

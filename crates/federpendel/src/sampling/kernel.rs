@@ -5,6 +5,7 @@ use pulp::{Simd, WithSimd};
 use crate::chain::cursor::Cursor;
 use crate::double::Double;
 use crate::oscillator::Reduced;
+use crate::sampling::grid::{Carried, Grid};
 use crate::sampling::lanes::{LANES, Lanes, each, exp, mul_add, polynomial, sin_cos};
 use crate::sampling::times::{Clock, Times};
 
@@ -72,7 +73,41 @@ impl Run<'_> {
         let (y0, w0) = start.framed(self.reduced.offset);
         let clock = self.clock(start.tau + 0.5 * duration);
         let oscillation = Oscillation::new(y0.into(), w0, self.reduced.zeta.hi(), duration);
-        self.store::<FUSED>(&clock, &oscillation);
+        match self.times {
+            Times::Any(_) => self.store::<FUSED>(&clock, &oscillation),
+            Times::Even(grid) => self.carry::<FUSED>(&clock, &oscillation, grid),
+        }
+    }
+
+    /// On an even grid most states are carried on from one before.
+    #[inline(always)]
+    fn carry<const FUSED: bool>(&mut self, clock: &Clock, oscillation: &Oscillation, grid: &Grid) {
+        let frame = self.frame();
+        let mut from = Carried { y: [0.0; LANES], w: [0.0; LANES], lag: [0.0; LANES] };
+        let xs = self.positions.chunks_mut(LANES);
+        for (block, (xs, vs)) in xs.zip(self.velocities.chunks_mut(LANES)).enumerate() {
+            let (times, lag) = grid.lanes::<FUSED>(self.first + block * LANES);
+            let (y, w) = match grid.transfer(block) {
+                Some(transfer) => grid.carry::<FUSED>(&from, transfer, &lag),
+                None => {
+                    let (y, w) = oscillation.state::<FUSED>(&clock.read::<FUSED>(&times));
+                    from = Carried { y, w, lag };
+                    (y, w)
+                }
+            };
+            let (x, v) = frame.outside::<FUSED>((y, w));
+            put(xs, &x);
+            put(vs, &v);
+        }
+    }
+
+    fn frame(&self) -> Frame {
+        let side = -self.cursor.start().direction;
+        Frame {
+            side,
+            offset: side * self.reduced.offset.hi(),
+            omega: side * self.reduced.omega0.hi(),
+        }
     }
 
     /// A swing in pieces: those samples on each piece in turn.
@@ -102,26 +137,24 @@ impl Run<'_> {
     /// Stores the states that `state` gives at the times of the clock.
     #[inline(always)]
     fn store<const FUSED: bool>(&mut self, clock: &Clock, stretch: &impl Stretch) {
-        let side = -self.cursor.start().direction;
-        let frame = Frame {
-            side,
-            offset: side * self.reduced.offset.hi(),
-            omega: side * self.reduced.omega0.hi(),
-        };
-        let times = self.times;
-        let (xs, last_xs) = self.positions.as_chunks_mut::<LANES>();
-        let (vs, last_vs) = self.velocities.as_chunks_mut::<LANES>();
-        let whole = xs.len();
-        for (block, (xs, vs)) in xs.iter_mut().zip(vs).enumerate() {
-            let tau = clock.read::<FUSED>(&times.lanes::<FUSED>(self.first + block * LANES));
-            (*xs, *vs) = frame.outside::<FUSED>(stretch.state::<FUSED>(&tau));
+        let frame = self.frame();
+        let xs = self.positions.chunks_mut(LANES);
+        for (block, (xs, vs)) in xs.zip(self.velocities.chunks_mut(LANES)).enumerate() {
+            let times = self.times.lanes::<FUSED>(self.first + block * LANES);
+            let state = stretch.state::<FUSED>(&clock.read::<FUSED>(&times));
+            let (x, v) = frame.outside::<FUSED>(state);
+            put(xs, &x);
+            put(vs, &v);
         }
-        if !last_xs.is_empty() {
-            let tau = clock.read::<FUSED>(&times.lanes::<FUSED>(self.first + whole * LANES));
-            let (x, v) = frame.outside::<FUSED>(stretch.state::<FUSED>(&tau));
-            last_xs.copy_from_slice(&x[..last_xs.len()]);
-            last_vs.copy_from_slice(&v[..last_vs.len()]);
-        }
+    }
+}
+
+/// Copies as many lanes as there is room for; the whole register nearly always.
+#[inline(always)]
+fn put(to: &mut [f64], lanes: &Lanes) {
+    match to.first_chunk_mut::<LANES>() {
+        Some(whole) => *whole = *lanes,
+        None => to.copy_from_slice(&lanes[..to.len()]),
     }
 }
 

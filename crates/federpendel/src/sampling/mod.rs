@@ -1,5 +1,6 @@
 //! Whole records: positions and velocities at many times, swing after swing, several at once.
 
+mod grid;
 mod kernel;
 pub(crate) mod lanes;
 mod times;
@@ -7,6 +8,7 @@ mod times;
 use crate::error::Result;
 use crate::motion::Motion;
 
+pub(crate) use grid::Grid;
 pub(crate) use times::Times;
 
 /// Fills the buffers, which are as long as `times`.

@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use crate::parameter;
+use crate::sampling::grid::Grid;
 use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
 
 /// The times of a record, s.
@@ -9,8 +10,8 @@ use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
 pub(crate) enum Times<'a> {
     /// As given, in any order.
     Any(&'a [f64]),
-    /// `duration`·i/`last` for i = 0 … `last`.
-    Even { duration: f64, last: f64 },
+    /// An even grid.
+    Even(&'a Grid),
 }
 
 impl Times<'_> {
@@ -22,7 +23,7 @@ impl Times<'_> {
     pub fn time(&self, i: usize) -> f64 {
         match *self {
             Times::Any(times) => times[i],
-            Times::Even { duration, last } => duration * i as f64 / last,
+            Times::Even(grid) => grid.duration * i as f64 / grid.last,
         }
     }
 
@@ -36,7 +37,7 @@ impl Times<'_> {
                 let rest = times[first + whole..].iter().take_while(|time| within(time)).count();
                 first + whole + rest
             }
-            Times::Even { duration, last } => {
+            Times::Even(&Grid { duration, last, .. }) => {
                 let estimate = (until / duration * last).ceil().clamp(0.0, last + 1.0);
                 let mut end = (estimate as usize).max(first + 1);
                 while end as f64 <= last && self.time(end) < until {
@@ -58,19 +59,7 @@ impl Times<'_> {
                 Some(chunk) => *chunk,
                 None => each(|k| times.get(i + k).copied().unwrap_or(0.0)),
             },
-            Times::Even { duration, last } => {
-                let inverse = 1.0 / last;
-                each(|k| {
-                    // The rounded quotient without a division, by Markstein's correction.
-                    let product = duration * (i + k) as f64;
-                    let quotient = product * inverse;
-                    if !FUSED {
-                        return product / last;
-                    }
-                    let rest = mul_add::<FUSED>(-quotient, last, product);
-                    mul_add::<FUSED>(rest, inverse, quotient)
-                })
-            }
+            Times::Even(grid) => grid.lanes::<FUSED>(i).0,
         }
     }
 }

@@ -70,6 +70,18 @@ impl<'a> LinearPart<'a> {
     }
 }
 
+impl LinearPart<'_> {
+    /// The end of the swing, `tau` being the reversal up to rounding: one Newton step from the
+    /// accurate state there.
+    fn end(&self, tau: f64, z: (f64, f64)) -> End {
+        let (time, place, speed) = self.state_near_end(tau);
+        let y = place + z.0;
+        let w = speed + z.1;
+        // y″ = −y where w vanishes.
+        End::Reversal { tau: time + w / f64::from(y), y: y + 0.5 * w * w / f64::from(y) }
+    }
+}
+
 /// Coefficients about one centre, of z, of y = L + z and of y′.
 struct Expansion {
     y: [f64; DEGREE + 1],
@@ -79,10 +91,12 @@ struct Expansion {
     radius: f64,
 }
 
-/// Largest step: a linear swing would allow a little more at this degree.
-const LONGEST: f64 = 2.0;
+/// Largest reach, a little more than half a linear swing, which it allows at this degree.
+const LONGEST: f64 = 1.75;
 /// Truncation allowed, relative to the size of the state.
-const TRUNCATION: f64 = 1e-18;
+const TRUNCATION: f64 = 3e-17;
+/// The same with strong damping, where a reversal may come when the motion has nearly died away.
+const TRUNCATION_DAMPED: f64 = 1e-18;
 /// More steps than any swing with κ|y| below the limit of [`crate::Motion`] can need.
 const MOST_STEPS: usize = 1 << 21;
 
@@ -108,14 +122,16 @@ impl Taylor {
             let l_next = l_slope * inverse;
             z[n + 1] = z_next;
             y[n + 1] = l_next + z_next;
-            let sum = square_without_newest::<FUSED>(&p, n);
-            let rest = mul_add::<FUSED>(self.kappa, sum, -mul_add::<FUSED>(damping, q, z[n]));
-            q = mul_add::<FUSED>(newest, p[n], rest) * inverse;
+            let sum = half_square_without_newest::<FUSED>(&p, n);
+            let others =
+                mul_add::<FUSED>(2.0 * self.kappa, sum, -mul_add::<FUSED>(damping, q, z[n]));
+            q = mul_add::<FUSED>(newest, p[n], others) * inverse;
             l_slope = -mul_add::<FUSED>(damping, l_slope, l) * inverse;
             l = l_next;
             p[n + 1] = l_slope + q;
         }
-        Expansion { radius: radius(&y), y, z, p }
+        let truncation = if self.propagator.zeta() > 0.5 { TRUNCATION_DAMPED } else { TRUNCATION };
+        Expansion { radius: radius(&y, truncation), y, z, p }
     }
 
     /// Follows the swing from (y0, w0) to its end and leaves its pieces in `pieces`, if given.
@@ -149,16 +165,17 @@ impl Taylor {
         for _ in 0..MOST_STEPS {
             let expansion = self.expand::<FUSED>(l, z);
             keep(pieces.as_deref_mut(), tau, &expansion);
-            let step = expansion.radius;
-            l = linear.state(tau + step);
-            let next = (horner::<FUSED>(&expansion.z, step), slope::<FUSED>(&expansion.z, step));
-            if l.1 + next.1 >= 0.0 {
-                let guess = self.half_period.map_or(step, |duration| duration.hi() - tau);
-                let root = reversal::<FUSED>(&expansion.p, guess, step);
+            let reach = expansion.radius;
+            if horner::<FUSED>(&expansion.p, reach) >= 0.0 {
+                let guess = self.half_period.map_or(reach, |duration| duration.hi() - tau);
+                let root = reversal::<FUSED>(&expansion.p, guess, reach);
                 let z = (horner::<FUSED>(&expansion.z, root), slope::<FUSED>(&expansion.z, root));
-                return Ok(self.end::<FUSED>(&linear, tau + root, z, pieces));
+                return Ok(linear.end(tau + root, z));
             }
-            (tau, z) = (tau + step, next);
+            let step = self.step(tau, reach);
+            z = (horner::<FUSED>(&expansion.z, step), slope::<FUSED>(&expansion.z, step));
+            tau += step;
+            l = linear.state(tau);
             let (y, w) = (l.0 + z.0, l.1 + z.1);
             let largest = y.abs().max(w.abs());
             // With light damping the chain decides that at the turning point.
@@ -170,24 +187,11 @@ impl Taylor {
         Err(NotFollowed)
     }
 
-    /// The end of the swing, `tau` being the reversal up to rounding: one Newton step from the
-    /// accurate state there.
-    #[inline(always)]
-    fn end<const FUSED: bool>(
-        &self,
-        linear: &LinearPart,
-        tau: f64,
-        z: (f64, f64),
-        pieces: Option<&mut Vec<Piece>>,
-    ) -> End {
-        let (time, place, speed) = linear.state_near_end(tau);
-        let y = place + z.0;
-        let w = speed + z.1;
-        if pieces.is_some() {
-            keep(pieces, tau, &self.expand::<FUSED>((place.into(), speed), z));
-        }
-        // y″ = −y where w vanishes.
-        End::Reversal { tau: time + w / f64::from(y), y: y + 0.5 * w * w / f64::from(y) }
+    /// The next step from `tau` if the series reaches `reach`: half of what is left of a light swing if the
+    /// next series can reach its end from there, since that one serves the other half.
+    fn step(&self, tau: f64, reach: f64) -> f64 {
+        let left = self.half_period.map_or(f64::INFINITY, |duration| duration.hi() - tau);
+        if left > reach && left < 1.9 * reach { 0.5 * left } else { reach }
     }
 }
 
@@ -224,28 +228,20 @@ const INVERSE: [f64; DEGREE] = {
     table
 };
 
-/// Coefficient n ≥ 1 of the square of the series `p`, without the terms that hold pₙ.
+/// Half of coefficient n ≥ 1 of the square of the series `p`, without the terms that hold pₙ.
 #[inline(always)]
-fn square_without_newest<const FUSED: bool>(p: &[f64; DEGREE + 1], n: usize) -> f64 {
-    // Two sums at a time: one would wait for each of its additions.
-    let (mut even, mut odd) = (0.0, 0.0);
-    let half = n.div_ceil(2);
-    let mut j = 1;
-    while j + 1 < half {
-        even = mul_add::<FUSED>(p[j], p[n - j], even);
-        odd = mul_add::<FUSED>(p[j + 1], p[n - j - 1], odd);
-        j += 2;
+fn half_square_without_newest<const FUSED: bool>(p: &[f64; DEGREE + 1], n: usize) -> f64 {
+    let mut sum = if n.is_multiple_of(2) { 0.5 * p[n / 2] * p[n / 2] } else { 0.0 };
+    // The newest coefficients come last: the sum need not wait for them.
+    for j in (1..n.div_ceil(2)).rev() {
+        sum = mul_add::<FUSED>(p[j], p[n - j], sum);
     }
-    if j < half {
-        even = mul_add::<FUSED>(p[j], p[n - j], even);
-    }
-    let middle = if n.is_multiple_of(2) { p[n / 2] * p[n / 2] } else { 0.0 };
-    mul_add::<FUSED>(2.0, even + odd, middle)
+    sum
 }
 
 /// How far the series may be trusted, from the size of its last two coefficients.
-fn radius(y: &[f64; DEGREE + 1]) -> f64 {
-    let size = TRUNCATION * y[0].abs().max(y[1].abs());
+fn radius(y: &[f64; DEGREE + 1], truncation: f64) -> f64 {
+    let size = truncation * y[0].abs().max(y[1].abs());
     let reach = |n: usize| {
         let ratio = size / (n as f64 * y[n].abs());
         if ratio >= LONGEST.powi(n as i32) { LONGEST } else { ratio.powf(1.0 / n as f64) }
@@ -278,8 +274,8 @@ fn reversal<const FUSED: bool>(p: &[f64; DEGREE + 1], guess: f64, step: f64) -> 
         }
         let newton = u - w / slope::<FUSED>(p, u);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - u).abs() <= 1e-9 * u || next == low || next == high {
-            // The step after this one is below rounding; the caller takes it.
+        if (next - u).abs() <= 3e-5 * u || next == low || next == high {
+            // Each step squares the error; the one after this, below rounding, is taken by the caller.
             return next;
         }
         u = next;
