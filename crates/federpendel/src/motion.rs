@@ -376,12 +376,7 @@ impl Motion {
     }
 
     fn rest(&self, start: &Start) -> Rest {
-        let error = match &self.chain {
-            Chain::Linear(_) if start.index == 0 => 0.0,
-            Chain::Linear(_) => CLOSED_FORM_ERROR * self.amplitude,
-            Chain::Series(chain) => chain.error(start.index),
-        };
-        let verdict = self.sticking.verdict(start.x, start.index, error);
+        let verdict = self.sticking.verdict(start.x, start.index, start.error);
         Rest {
             time: start.time(self.oscillator.reduced()),
             position: start.x.into(),

@@ -156,7 +156,8 @@ impl LinearChain {
         let side = if count.is_multiple_of(2) { 1.0 } else { -1.0 } * rest_start.x.hi().signum();
         let x = side * self.distance(rest_start.x.abs(), count);
         let direction = if self.last == Last::At(index) { 0.0 } else { -side };
-        Start { index, tau: rest_start.tau + duration * count as f64, x, w: 0.0, direction }
+        let (tau, error) = (rest_start.tau + duration * count as f64, self.error);
+        Start { index, tau, x, w: 0.0, direction, error }
     }
 
     /// The start after `start`; `None` if that one lasts for ever.

@@ -33,13 +33,15 @@ pub(crate) struct Start {
     pub w: f64,
     /// −1 or +1, the way the mass moves from here; 0 if it rests.
     pub direction: f64,
+    /// Bound on what arithmetic may have added to the distance of a turning point, m.
+    pub error: f64,
 }
 
 impl Start {
     /// The release at `position` m with `velocity` m/s.
     pub fn release(reduced: &Reduced, sticking: &Sticking, position: f64, velocity: f64) -> Self {
-        let mut start =
-            Start { index: 0, tau: 0.0.into(), x: position.into(), w: 0.0, direction: 0.0 };
+        let (tau, x) = (0.0.into(), position.into());
+        let mut start = Start { index: 0, tau, x, w: 0.0, direction: 0.0, error: 0.0 };
         if velocity == 0.0 {
             start.direction = departure(start.x, sticking.verdict(start.x, 0, 0.0).sticks);
         } else {
@@ -62,7 +64,7 @@ impl Start {
         let index = self.index + 1;
         let x = -self.direction * (y + offset);
         let direction = departure(x, sticking.verdict(x, index, error).sticks);
-        Start { index, tau: self.tau + duration, x, w: 0.0, direction }
+        Start { index, tau: self.tau + duration, x, w: 0.0, direction, error }
     }
 
     /// State in the frame of the swing from here (see [`crate::swing`]): (y, w).

@@ -102,9 +102,16 @@ impl SeriesChain {
         }
     }
 
-    /// Bound on the error of the turning point `index`, m.
+    /// Bound on the error of a state up to the turning point `index`, m: the phase keeps all errors.
     pub fn error(&self, index: u64) -> f64 {
         self.amplitude * f64::EPSILON * (8.0 + 0.5 * index as f64)
+    }
+
+    /// Bound on the error of the distance at which a swing from (y0, w0) ends, at `y`. What the start
+    /// brought along falls at least as the distance itself: friction draws neighbours together.
+    fn distance_error(&self, start: &Start, y0: f64, w0: f64, y: f64) -> f64 {
+        let fall = if w0 == 0.0 { (y / y0).abs() } else { 1.0 };
+        fall * start.error + 8.0 * f64::EPSILON * y0.abs().max(w0.abs())
     }
 
     /// Follows the swing from `start` and leaves its pieces, if asked.
@@ -117,13 +124,13 @@ impl SeriesChain {
         pieces: Option<&mut Vec<Piece>>,
     ) -> Result<Next, NotFollowed> {
         let (y0, w0) = start.framed(self.reduced.offset);
-        let error = self.error(start.index + 1);
         let end = match &self.stiff {
             Some(stiff) => stiff.solve(y0.into(), w0, pieces),
             None => self.taylor.solve(y0, w0, pieces),
         };
         let next = match end? {
             End::Reversal { tau, y } => {
+                let error = self.distance_error(start, y0.into(), w0, y.into());
                 let turn = start.turn(tau, y, self.reduced.offset, &self.sticking, error);
                 if turn.rests() || !self.drag_is_negligible(turn.x.hi().abs()) {
                     Next::Start(turn)
@@ -134,6 +141,7 @@ impl SeriesChain {
             End::Linear { tau, y, w } => {
                 let x = -start.direction * (self.reduced.offset + y);
                 let within = Start { tau: start.tau + tau, x, w: -start.direction * w, ..*start };
+                let error = self.distance_error(start, y0.into(), w0, y);
                 Next::Tail(Box::new(self.tail(within, error)))
             }
         };
