@@ -39,6 +39,8 @@ struct Repeat {
     loss: Double,
     /// 1 − r.
     fall: f64,
+    /// √r.
+    half_ratio: f64,
 }
 
 /// The turning point at which a chain ends.
@@ -60,7 +62,8 @@ impl LinearChain {
             let duration = PI / discriminant.sqrt();
             let decrement = duration * reduced.zeta;
             let fall = -(-decrement.hi()).exp_m1();
-            Repeat { duration, decrement, loss: reduced.offset * (2.0 - fall), fall }
+            let half_ratio = (-0.5 * decrement.hi()).exp();
+            Repeat { duration, decrement, loss: reduced.offset * (2.0 - fall), fall, half_ratio }
         });
         let mut chain = LinearChain {
             reduced: *reduced,
@@ -92,6 +95,11 @@ impl LinearChain {
     /// Duration of a swing from rest, ω0 t.
     pub fn repeat_duration(&self) -> Option<f64> {
         self.repeat.map(|repeat| repeat.duration.into())
+    }
+
+    /// Duration of a swing from rest, ω0 t, and the factor e^(−q/2) of its first half.
+    pub fn wave(&self) -> Option<(f64, f64)> {
+        self.repeat.map(|repeat| (repeat.duration.into(), repeat.half_ratio))
     }
 
     /// Factor e^(−q) between the ends of a swing from rest, measured from its own centre; zero where it
@@ -142,6 +150,9 @@ impl LinearChain {
         let exponent = decrement * count;
         // e^(−nq) with the low part of the exponent, and (1 − e^(−nq))/(1 − e^(−q)).
         let power = Double::from((-exponent.hi()).exp()) * (1.0 - exponent.lo());
+        if loss.hi() == 0.0 {
+            return power * a;
+        }
         let geometric = -(-exponent.hi()).exp_m1() / fall;
         power * a - loss * geometric
     }

@@ -4,10 +4,8 @@ use std::sync::Mutex;
 
 use crate::chain::Start;
 use crate::chain::linear::LinearChain;
-use crate::double::PI;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
-use crate::swing::linear::Propagator;
 use crate::swing::piece::Piece;
 use crate::swing::stiff::Stiff;
 use crate::swing::taylor::{NEGLIGIBLE, Taylor};
@@ -81,20 +79,12 @@ impl Known {
 
 impl SeriesChain {
     pub fn new(reduced: &Reduced, sticking: &Sticking, first: Start, amplitude: f64) -> Self {
-        let discriminant = reduced.discriminant();
-        let half_period = (discriminant.hi() > 0.0).then(|| PI / discriminant.sqrt());
-        let taylor = Taylor {
-            propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
-            half_period,
-            ratio: half_period.map_or(0.0.into(), |duration| (-(duration * reduced.zeta)).exp()),
-            kappa: reduced.kappa,
-        };
         let zeta = reduced.zeta.into();
         let stiff = (zeta >= STIFF).then_some(Stiff { zeta, kappa: reduced.kappa, amplitude });
         SeriesChain {
             reduced: *reduced,
             sticking: *sticking,
-            taylor,
+            taylor: Taylor::new(reduced),
             stiff,
             amplitude,
             first,

@@ -14,6 +14,8 @@ const LONGEST: f64 = 1e7;
 pub(crate) struct Grid {
     pub duration: f64,
     pub last: f64,
+    /// 1/`last`.
+    inverse: f64,
     zeta: f64,
     /// ω0/`last`.
     lag_scale: f64,
@@ -40,7 +42,14 @@ impl Grid {
         let transfers = short.then(|| {
             std::array::from_fn(|k| propagator.transfer((stride * (k + 1) as f64).into()))
         });
-        Grid { duration, last, zeta, lag_scale: reduced.omega0.hi() / last, transfers }
+        Grid {
+            duration,
+            last,
+            inverse: 1.0 / last,
+            zeta,
+            lag_scale: reduced.omega0.hi() / last,
+            transfers,
+        }
     }
 
     /// The transfer from block 0 to block `block` of a run, where there is one.
@@ -52,7 +61,7 @@ impl Grid {
     /// [`LANES`] times from index `i` on and their lags.
     #[inline(always)]
     pub fn lanes<const FUSED: bool>(&self, i: usize) -> (Lanes, Lanes) {
-        let inverse = 1.0 / self.last;
+        let inverse = self.inverse;
         let product = each(|k| self.duration * (i + k) as f64);
         let times = each(|k| {
             if !FUSED {

@@ -6,8 +6,9 @@ use crate::chain::cursor::Cursor;
 use crate::double::Double;
 use crate::oscillator::Reduced;
 use crate::sampling::grid::{Carried, Grid};
-use crate::sampling::lanes::{LANES, Lanes, each, exp, mul_add, polynomial, sin_cos};
+use crate::sampling::lanes::{LANES, Lanes, each, exp, mul_add, sin_cos, two_polynomials};
 use crate::sampling::times::{Clock, Times};
+use crate::swing::piece::{DEGREE, Piece};
 
 /// The samples `first`, `first` + 1, … as many as the buffers hold, all on the swing under the cursor.
 pub(crate) struct Run<'a> {
@@ -43,8 +44,8 @@ impl Run<'_> {
         }
         match self.cursor.linear() {
             None => self.series::<FUSED>(),
-            Some(chain) => match chain.repeat_duration() {
-                Some(duration) if duration < LONGEST_WAVE => self.oscillation::<FUSED>(duration),
+            Some(chain) => match chain.wave() {
+                Some(wave) if wave.0 < LONGEST_WAVE => self.oscillation::<FUSED>(wave),
                 _ => self.one_by_one(),
             },
         }
@@ -66,38 +67,17 @@ impl Run<'_> {
         }
     }
 
-    /// A linear swing of `duration` or less.
+    /// A linear swing of `duration` or less, in the first half of which damping takes off 1 − `decay`.
     #[inline(always)]
-    fn oscillation<const FUSED: bool>(&mut self, duration: f64) {
+    fn oscillation<const FUSED: bool>(&mut self, (duration, decay): (f64, f64)) {
         let start = *self.cursor.start();
         let (y0, w0) = start.framed(self.reduced.offset);
         let clock = self.clock(start.tau + 0.5 * duration);
-        let oscillation = Oscillation::new(y0.into(), w0, self.reduced.zeta.hi(), duration);
+        let oscillation =
+            Oscillation::new(y0.into(), w0, self.reduced.zeta.hi(), (duration, decay));
         match self.times {
-            Times::Any(_) => self.store::<FUSED>(&clock, &oscillation),
-            Times::Even(grid) => self.carry::<FUSED>(&clock, &oscillation, grid),
-        }
-    }
-
-    /// On an even grid most states are carried on from one before.
-    #[inline(always)]
-    fn carry<const FUSED: bool>(&mut self, clock: &Clock, oscillation: &Oscillation, grid: &Grid) {
-        let frame = self.frame();
-        let mut from = Carried { y: [0.0; LANES], w: [0.0; LANES], lag: [0.0; LANES] };
-        let xs = self.positions.chunks_mut(LANES);
-        for (block, (xs, vs)) in xs.zip(self.velocities.chunks_mut(LANES)).enumerate() {
-            let (times, lag) = grid.lanes::<FUSED>(self.first + block * LANES);
-            let (y, w) = match grid.transfer(block) {
-                Some(transfer) => grid.carry::<FUSED>(&from, transfer, &lag),
-                None => {
-                    let (y, w) = oscillation.state::<FUSED>(&clock.read::<FUSED>(&times));
-                    from = Carried { y, w, lag };
-                    (y, w)
-                }
-            };
-            let (x, v) = frame.outside::<FUSED>((y, w));
-            put(xs, &x);
-            put(vs, &v);
+            Times::Any(_) => self.store::<FUSED>(Direct::new(&clock, &oscillation)),
+            Times::Even(grid) => self.store::<FUSED>(Carry::new(&clock, &oscillation, grid)),
         }
     }
 
@@ -125,36 +105,104 @@ impl Run<'_> {
             (xs, positions) = positions.split_at_mut(count);
             (vs, velocities) = velocities.split_at_mut(count);
             let mut run = Run { cursor, reduced, times, first: at, positions: xs, velocities: vs };
-            let degree = piece.degree(end);
-            let (position, velocity) = (&piece.position[..=degree], &piece.velocity[..=degree]);
             let clock = run.clock(start + piece.center);
-            let scale = piece.inverse_scale;
-            run.store::<FUSED>(&clock, &Polynomials { scale, position, velocity });
+            // As many terms as this piece needs, in a few lengths that the compiler can unroll.
+            match piece.degree(end) {
+                0..12 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<12>(piece))),
+                12..16 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<16>(piece))),
+                16..20 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<20>(piece))),
+                _ => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<{ DEGREE + 1 }>(piece))),
+            }
             at += count;
         }
     }
 
-    /// Stores the states that `state` gives at the times of the clock.
+    /// Stores the states from `source`, block after block.
     #[inline(always)]
-    fn store<const FUSED: bool>(&mut self, clock: &Clock, stretch: &impl Stretch) {
+    fn store<const FUSED: bool>(&mut self, mut source: impl Source) {
         let frame = self.frame();
-        let xs = self.positions.chunks_mut(LANES);
-        for (block, (xs, vs)) in xs.zip(self.velocities.chunks_mut(LANES)).enumerate() {
-            let times = self.times.lanes::<FUSED>(self.first + block * LANES);
-            let state = stretch.state::<FUSED>(&clock.read::<FUSED>(&times));
+        let (times, first) = (self.times, self.first);
+        let (xs, last_xs) = self.positions.as_chunks_mut::<LANES>();
+        let (vs, last_vs) = self.velocities.as_chunks_mut::<LANES>();
+        let whole = xs.len();
+        for (block, (xs, vs)) in xs.iter_mut().zip(vs).enumerate() {
+            let state = source.block::<FUSED>(times, first + block * LANES, block);
+            (*xs, *vs) = frame.outside::<FUSED>(state);
+        }
+        if !last_xs.is_empty() {
+            let state = source.block::<FUSED>(times, first + whole * LANES, whole);
             let (x, v) = frame.outside::<FUSED>(state);
-            put(xs, &x);
-            put(vs, &v);
+            last_xs.copy_from_slice(&x[..last_xs.len()]);
+            last_vs.copy_from_slice(&v[..last_vs.len()]);
         }
     }
 }
 
-/// Copies as many lanes as there is room for; the whole register nearly always.
-#[inline(always)]
-fn put(to: &mut [f64], lanes: &Lanes) {
-    match to.first_chunk_mut::<LANES>() {
-        Some(whole) => *whole = *lanes,
-        None => to.copy_from_slice(&lanes[..to.len()]),
+/// Where the states of a run come from.
+trait Source {
+    /// (y, w) of block `block` of the run, the times of which start at index `first`.
+    fn block<const FUSED: bool>(
+        &mut self,
+        times: &Times,
+        first: usize,
+        block: usize,
+    ) -> (Lanes, Lanes);
+}
+
+/// Every state computed by the formula of the stretch.
+struct Direct<'a, S> {
+    clock: &'a Clock,
+    stretch: &'a S,
+}
+
+impl<'a, S: Stretch> Direct<'a, S> {
+    fn new(clock: &'a Clock, stretch: &'a S) -> Self {
+        Direct { clock, stretch }
+    }
+}
+
+impl<S: Stretch> Source for Direct<'_, S> {
+    #[inline(always)]
+    fn block<const FUSED: bool>(
+        &mut self,
+        times: &Times,
+        first: usize,
+        _: usize,
+    ) -> (Lanes, Lanes) {
+        self.stretch.state::<FUSED>(&self.clock.read::<FUSED>(&times.lanes::<FUSED>(first)))
+    }
+}
+
+/// On an even grid, most states carried on from one before.
+struct Carry<'a> {
+    clock: &'a Clock,
+    oscillation: &'a Oscillation,
+    grid: &'a Grid,
+    from: Carried,
+}
+
+impl<'a> Carry<'a> {
+    fn new(clock: &'a Clock, oscillation: &'a Oscillation, grid: &'a Grid) -> Self {
+        let from = Carried { y: [0.0; LANES], w: [0.0; LANES], lag: [0.0; LANES] };
+        Carry { clock, oscillation, grid, from }
+    }
+}
+
+impl Source for Carry<'_> {
+    #[inline(always)]
+    fn block<const FUSED: bool>(
+        &mut self,
+        _: &Times,
+        first: usize,
+        block: usize,
+    ) -> (Lanes, Lanes) {
+        let (times, lag) = self.grid.lanes::<FUSED>(first);
+        if let Some(transfer) = self.grid.transfer(block) {
+            return self.grid.carry::<FUSED>(&self.from, transfer, &lag);
+        }
+        let (y, w) = self.oscillation.state::<FUSED>(&self.clock.read::<FUSED>(&times));
+        self.from = Carried { y, w, lag };
+        (y, w)
     }
 }
 
@@ -193,9 +241,8 @@ struct Oscillation {
 }
 
 impl Oscillation {
-    fn new(y0: f64, w0: f64, zeta: f64, duration: f64) -> Self {
+    fn new(y0: f64, w0: f64, zeta: f64, (duration, decay): (f64, f64)) -> Self {
         let root = std::f64::consts::PI / duration;
-        let decay = (-0.5 * zeta * duration).exp();
         Oscillation {
             zeta,
             root,
@@ -221,17 +268,14 @@ impl Stretch for Oscillation {
     }
 }
 
-/// A piece of a series, its polynomials cut to the degree needed.
-struct Polynomials<'a> {
-    scale: f64,
-    position: &'a [f64],
-    velocity: &'a [f64],
-}
+/// A piece of a series, its polynomials cut to the terms needed.
+struct Polynomials<'a, const TERMS: usize>(&'a Piece);
 
-impl Stretch for Polynomials<'_> {
+impl<const TERMS: usize> Stretch for Polynomials<'_, TERMS> {
     #[inline(always)]
     fn state<const FUSED: bool>(&self, tau: &Lanes) -> (Lanes, Lanes) {
-        let u = each(|i| tau[i] * self.scale);
-        (polynomial::<FUSED>(self.position, &u), polynomial::<FUSED>(self.velocity, &u))
+        let Piece { inverse_scale, position, velocity, .. } = self.0;
+        let u = each(|i| tau[i] * inverse_scale);
+        two_polynomials::<FUSED, TERMS>(position, velocity, &u)
     }
 }

@@ -53,6 +53,23 @@ pub(crate) fn polynomial<const FUSED: bool>(coefficients: &[f64], x: &Lanes) -> 
     sum
 }
 
+/// Two polynomials with the first `TERMS` of these coefficients at once.
+#[inline(always)]
+pub(crate) fn two_polynomials<const FUSED: bool, const TERMS: usize>(
+    first: &[f64],
+    second: &[f64],
+    x: &Lanes,
+) -> (Lanes, Lanes) {
+    let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
+    for n in (0..TERMS).rev() {
+        for i in 0..LANES {
+            a[i] = mul_add::<FUSED>(a[i], x[i], first[n]);
+            b[i] = mul_add::<FUSED>(b[i], x[i], second[n]);
+        }
+    }
+    (a, b)
+}
+
 /// sin x and cos x for |x| ≤ π/2 by their Taylor series, which end below rounding there.
 #[inline(always)]
 pub(crate) fn sin_cos<const FUSED: bool>(x: &Lanes) -> (Lanes, Lanes) {

@@ -8,7 +8,8 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::double::Double;
+use crate::double::{Double, PI};
+use crate::oscillator::Reduced;
 use crate::sampling::lanes::mul_add;
 use crate::swing::linear::Propagator;
 use crate::swing::piece::{DEGREE, Piece, horner};
@@ -23,6 +24,9 @@ pub(crate) struct Taylor {
     /// Factor r = e^(−ζ half_period) between turning amplitudes of the linear swing.
     pub ratio: Double,
     pub kappa: f64,
+    /// Longest reach of one series, and its powers of the two highest degrees.
+    longest: f64,
+    longest_powers: (f64, f64),
 }
 
 /// Where κ times the size of the motion is smaller, drag is lost in rounding.
@@ -91,7 +95,7 @@ struct Expansion {
     radius: f64,
 }
 
-/// Largest reach, a little more than half a linear swing, which it allows at this degree.
+/// Longest reach of one series; a linear swing would allow a little more at this degree.
 const LONGEST: f64 = 1.75;
 /// Truncation allowed, relative to the size of the state.
 const TRUNCATION: f64 = 3e-17;
@@ -100,38 +104,61 @@ const TRUNCATION_DAMPED: f64 = 1e-18;
 /// More steps than any swing with κ|y| below the limit of [`crate::Motion`] can need.
 const MOST_STEPS: usize = 1 << 21;
 
+/// The recurrence, order after order, with every loop inside it of a length known to the compiler.
+macro_rules! orders {
+    ($series:ident, $fused:ident: $($n:literal)*) => { $($series.order::<$fused, $n>();)* };
+}
+
 impl Taylor {
+    pub fn new(reduced: &Reduced) -> Self {
+        let discriminant = reduced.discriminant();
+        let half_period = (discriminant.hi() > 0.0).then(|| PI / discriminant.sqrt());
+        // Two series that reach a little more than half of it each make up a light swing.
+        let half = half_period.map_or(LONGEST, |duration| 0.51 * duration.hi());
+        let longest = if half < LONGEST { half } else { LONGEST };
+        Taylor {
+            propagator: Propagator::new(reduced.zeta.into(), discriminant.into()),
+            half_period,
+            ratio: half_period.map_or(0.0.into(), |duration| (-(duration * reduced.zeta)).exp()),
+            kappa: reduced.kappa,
+            longest,
+            longest_powers: (longest.powi(DEGREE as i32), longest.powi(DEGREE as i32 - 1)),
+        }
+    }
+
     /// With p, q the coefficients of y′ and z′:
     /// (n + 1) qₙ₊₁ = κ Σ pⱼpₙ₋ⱼ − 2ζ qₙ − zₙ, and the same without the sum for L.
     #[inline(always)]
     fn expand<const FUSED: bool>(&self, (l0, l1): (f64, f64), (z0, z1): (f64, f64)) -> Expansion {
         let damping = 2.0 * self.propagator.zeta();
-        let (mut y, mut z, mut p) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        (y[0], z[0], p[0]) = (l0 + z0, z0, l1 + z1);
-        (y[1], z[1]) = (p[0], z1);
-        let mut l = l1;
-        let mut l_slope = -mul_add::<FUSED>(damping, l1, l0);
-        let mut q = self.kappa * p[0] * p[0] - mul_add::<FUSED>(damping, z1, z0);
-        p[1] = l_slope + q;
-        // The newest coefficient enters the sum twice, with p₀: that term is added last, so that all
-        // others can be summed before it is known.
-        let newest = 2.0 * self.kappa * p[0];
-        for n in 1..DEGREE {
-            let inverse = INVERSE[n];
-            let z_next = q * inverse;
-            let l_next = l_slope * inverse;
-            z[n + 1] = z_next;
-            y[n + 1] = l_next + z_next;
-            let sum = half_square_without_newest::<FUSED>(&p, n);
-            let others =
-                mul_add::<FUSED>(2.0 * self.kappa, sum, -mul_add::<FUSED>(damping, q, z[n]));
-            q = mul_add::<FUSED>(newest, p[n], others) * inverse;
-            l_slope = -mul_add::<FUSED>(damping, l_slope, l) * inverse;
-            l = l_next;
-            p[n + 1] = l_slope + q;
-        }
+        let mut series = Recurrence {
+            damping,
+            kappa: self.kappa,
+            newest: 2.0 * self.kappa * (l1 + z1),
+            l: l1,
+            l_slope: -mul_add::<FUSED>(damping, l1, l0),
+            q: self.kappa * (l1 + z1) * (l1 + z1) - mul_add::<FUSED>(damping, z1, z0),
+            y: [0.0; DEGREE + 1],
+            z: [0.0; DEGREE + 1],
+            p: [0.0; DEGREE + 1],
+        };
+        (series.y[0], series.z[0], series.p[0]) = (l0 + z0, z0, l1 + z1);
+        (series.y[1], series.z[1], series.p[1]) = (l1 + z1, z1, series.l_slope + series.q);
+        orders!(series, FUSED: 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23);
+        let Recurrence { y, z, p, .. } = series;
+        Expansion { radius: self.radius(&y), y, z, p }
+    }
+
+    /// How far a series may be trusted, from the size of its last two coefficients.
+    #[inline(always)]
+    fn radius(&self, y: &[f64; DEGREE + 1]) -> f64 {
         let truncation = if self.propagator.zeta() > 0.5 { TRUNCATION_DAMPED } else { TRUNCATION };
-        Expansion { radius: radius(&y, truncation), y, z, p }
+        let size = truncation * y[0].abs().max(y[1].abs());
+        let reach = |n: usize, farthest: f64| {
+            let ratio = size / (n as f64 * y[n].abs());
+            if ratio >= farthest { self.longest } else { ratio.powf(1.0 / n as f64) }
+        };
+        reach(DEGREE, self.longest_powers.0).min(reach(DEGREE - 1, self.longest_powers.1))
     }
 
     /// Follows the swing from (y0, w0) to its end and leaves its pieces in `pieces`, if given.
@@ -217,36 +244,42 @@ impl WithSimd for Solve<'_> {
     }
 }
 
-/// 1/(n + 1).
-const INVERSE: [f64; DEGREE] = {
-    let mut table = [0.0; DEGREE];
-    let mut n = 0;
-    while n < DEGREE {
-        table[n] = 1.0 / (n + 1) as f64;
-        n += 1;
-    }
-    table
-};
-
-/// Half of coefficient n ≥ 1 of the square of the series `p`, without the terms that hold pₙ.
-#[inline(always)]
-fn half_square_without_newest<const FUSED: bool>(p: &[f64; DEGREE + 1], n: usize) -> f64 {
-    let mut sum = if n.is_multiple_of(2) { 0.5 * p[n / 2] * p[n / 2] } else { 0.0 };
-    // The newest coefficients come last: the sum need not wait for them.
-    for j in (1..n.div_ceil(2)).rev() {
-        sum = mul_add::<FUSED>(p[j], p[n - j], sum);
-    }
-    sum
+/// The coefficients of a series so far: l and l_slope the newest of L and L′, q that of z′.
+struct Recurrence {
+    damping: f64,
+    kappa: f64,
+    /// 2κp₀. The newest coefficient enters the sum twice, with p₀: that term is added last, so that all
+    /// others can be summed before it is known.
+    newest: f64,
+    l: f64,
+    l_slope: f64,
+    q: f64,
+    y: [f64; DEGREE + 1],
+    z: [f64; DEGREE + 1],
+    p: [f64; DEGREE + 1],
 }
 
-/// How far the series may be trusted, from the size of its last two coefficients.
-fn radius(y: &[f64; DEGREE + 1], truncation: f64) -> f64 {
-    let size = truncation * y[0].abs().max(y[1].abs());
-    let reach = |n: usize| {
-        let ratio = size / (n as f64 * y[n].abs());
-        if ratio >= LONGEST.powi(n as i32) { LONGEST } else { ratio.powf(1.0 / n as f64) }
-    };
-    reach(DEGREE).min(reach(DEGREE - 1))
+impl Recurrence {
+    /// Goes on from order `N` to the next.
+    #[inline(always)]
+    fn order<const FUSED: bool, const N: usize>(&mut self) {
+        let inverse = const { 1.0 / (N + 1) as f64 };
+        let z_next = self.q * inverse;
+        let l_next = self.l_slope * inverse;
+        self.z[N + 1] = z_next;
+        self.y[N + 1] = l_next + z_next;
+        // Half the sum of the others; the newest of them come last, so that it need not wait for them.
+        let mut sum = if N.is_multiple_of(2) { 0.5 * self.p[N / 2] * self.p[N / 2] } else { 0.0 };
+        for j in (1..N.div_ceil(2)).rev() {
+            sum = mul_add::<FUSED>(self.p[j], self.p[N - j], sum);
+        }
+        let damped = mul_add::<FUSED>(self.damping, self.q, self.z[N]);
+        let others = mul_add::<FUSED>(2.0 * self.kappa, sum, -damped);
+        self.q = mul_add::<FUSED>(self.newest, self.p[N], others) * inverse;
+        self.l_slope = -mul_add::<FUSED>(self.damping, self.l_slope, self.l) * inverse;
+        self.l = l_next;
+        self.p[N + 1] = self.l_slope + self.q;
+    }
 }
 
 /// Derivative of the polynomial at `u`.
