@@ -55,7 +55,6 @@ derived-damping-rate = Abklingrate
 derived-offset = Verschiebung durch die Coulombsche Reibung
 derived-sticking-offset = halbe Breite des Haftbereichs
 derived-newton-rate = Rate der Newtonschen Reibung
-derived-drag-strength = Stärke der Newtonschen Reibung (newton_rate mal Amplitude)
 derived-amplitude = Amplitude
 derived-energy = Energie
 
@@ -72,7 +71,7 @@ error-parameter = { $name } ist { $value }; erlaubt ist { $allowed }
 error-static-below-kinetic = { $name } ist { $static }; erlaubt ist mindestens die Gleitreibungszahl (kinetic), { $kinetic }
 error-no-normal-force = { $name } ist { $value }; die Coulombsche Reibung braucht eine Normalkraft größer als 0
 error-derived = Aus den angegebenen Werten folgt { $quantity } = { $value }; es muss eine gewöhnliche endliche Zahl sein
-error-derived-too-large = Aus den angegebenen Werten folgt { $quantity } = { $value }; das ist zu groß, um berechnet zu werden
+error-drag-too-strong = Die Newtonsche Reibung ist zu stark: Rate κ mal Amplitude ist { $value }; erlaubt ist höchstens { $limit }
 error-too-many-swings = { $name } ist { $time }; diese Bewegung lässt sich bis { $reached } verfolgen ({ $swings ->
     [one] { $swings } Halbschwingung
    *[other] { $swings } Halbschwingungen

@@ -55,7 +55,6 @@ derived-damping-rate = damping rate
 derived-offset = offset of Coulomb friction
 derived-sticking-offset = half width of the sticking band
 derived-newton-rate = rate of Newton friction
-derived-drag-strength = drag strength (newton_rate times amplitude)
 derived-amplitude = amplitude
 derived-energy = energy
 
@@ -72,7 +71,7 @@ error-parameter = { $name } is { $value }; allowed is { $allowed }
 error-static-below-kinetic = { $name } is { $static }; allowed is at least kinetic, { $kinetic }
 error-no-normal-force = { $name } is { $value }; Coulomb friction needs a normal force greater than 0
 error-derived = The given values make { $quantity } = { $value }; it must be an ordinary finite number
-error-derived-too-large = The given values make { $quantity } = { $value }; that is too large to be computed
+error-drag-too-strong = Newton friction is too strong: rate κ times amplitude is { $value }; allowed is at most { $limit }
 error-too-many-swings = { $name } is { $time }; this motion can be followed up to { $reached } ({ $swings ->
     [one] { $swings } swing
    *[other] { $swings } swings

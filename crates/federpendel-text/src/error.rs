@@ -34,11 +34,17 @@ impl Catalogue {
                 ],
             ),
             Error::Derived { quantity, value } => self.format(
-                // An ordinary number that is refused lies beyond what can be computed.
-                if value.is_normal() { "error-derived-too-large" } else { "error-derived" },
+                "error-derived",
                 &[
                     ("quantity", self.field(quantity).into()),
                     ("value", self.exact_quantity(value, "1").into()),
+                ],
+            ),
+            Error::DragTooStrong { value, limit } => self.format(
+                "error-drag-too-strong",
+                &[
+                    ("value", self.exact_quantity(value, "1").into()),
+                    ("limit", self.exact_quantity(limit, "1").into()),
                 ],
             ),
             Error::TooManySwings { time, reached, swings } => self.format(
@@ -171,7 +177,7 @@ mod tests {
         let errors = [
             Error::NoNormalForce { name: "gravity", value: 0.0 },
             Error::Derived { quantity: "angular_frequency", value: f64::INFINITY },
-            Error::Derived { quantity: "drag strength (newton_rate times amplitude)", value: 1e6 },
+            Error::DragTooStrong { value: 1e6, limit: 1e5 },
             Error::TooManySwings { time: 1e9, reached: 123.0, swings: 10_000_000 },
             Error::Order { name: "times", value: 1.0, before: 2.0 },
             Error::NoSuchSolution { solution: "critical", regime: Regime::Overdamped },

@@ -40,6 +40,14 @@ pub enum Error {
         /// What it came out as, SI.
         value: f64,
     },
+    /// Newton friction so strong that a swing would take too many steps.
+    #[error("newton_rate times amplitude is {value}; allowed is at most {limit}")]
+    DragTooStrong {
+        /// κ times the larger of |x0| and |v0|/ω0.
+        value: f64,
+        /// The most that is allowed.
+        limit: f64,
+    },
     /// More swings would have to be followed than the limit allows.
     #[error("time is {time} s; this motion can be followed up to {reached} s ({swings} swings)")]
     TooManySwings {

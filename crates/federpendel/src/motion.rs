@@ -147,8 +147,8 @@ impl Motion {
     /// The motion of `oscillator` after `release`; on the edge of the band it sticks.
     ///
     /// # Errors
-    /// [`Error::Derived`] if the amplitude or the energy of the release overflow, or if Newton
-    /// friction is stronger than κ·amplitude = 1e5.
+    /// [`Error::Derived`] if the amplitude or the energy of the release overflow,
+    /// [`Error::DragTooStrong`] if κ times the amplitude is above 1e5.
     pub fn new(oscillator: Oscillator, release: State) -> Result<Self> {
         Self::with_ties(oscillator, release, Ties::Stick)
     }
@@ -160,16 +160,15 @@ impl Motion {
     pub fn with_ties(oscillator: Oscillator, release: State, ties: Ties) -> Result<Self> {
         let reduced = oscillator.reduced();
         let amplitude = release.position.abs().max(release.velocity.abs() / reduced.omega0.hi());
-        let energy = oscillator.energy(release);
-        let drag = reduced.kappa * amplitude;
-        for (quantity, value, most) in [
-            ("amplitude", amplitude, f64::MAX),
-            ("energy", energy, f64::MAX),
-            ("drag strength (newton_rate times amplitude)", drag, STRONGEST_DRAG),
-        ] {
-            if !value.is_finite() || value > most {
+        for (quantity, value) in [("amplitude", amplitude), ("energy", oscillator.energy(release))]
+        {
+            if !value.is_finite() {
                 return Err(Error::Derived { quantity, value });
             }
+        }
+        let drag = reduced.kappa * amplitude;
+        if drag > STRONGEST_DRAG {
+            return Err(Error::DragTooStrong { value: drag, limit: STRONGEST_DRAG });
         }
         let sticking = Sticking::new(reduced, amplitude, ties);
         let first = Start::release(reduced, &sticking, release.position, release.velocity);
@@ -276,7 +275,8 @@ impl Motion {
         times.iter().map(at).collect()
     }
 
-    /// Positions (m) and velocities (m/s) at `times` (s), in any order; rising times are fastest.
+    /// Positions (m) and velocities (m/s) at `times` (s), in any order; rising times are fastest,
+    /// others are sorted first.
     ///
     /// # Errors
     /// As [`Motion::at`], and [`Error::Length`] if the buffers differ.

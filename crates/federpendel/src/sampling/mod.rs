@@ -18,6 +18,39 @@ pub(crate) fn fill(
     positions: &mut [f64],
     velocities: &mut [f64],
 ) -> Result<()> {
+    match times {
+        Times::Any(times) if !times.is_sorted() => {
+            fill_unsorted(motion, times, positions, velocities)
+        }
+        _ => fill_in_order(motion, times, positions, velocities),
+    }
+}
+
+/// Samples the times in order and puts them back where they belong: going to and fro, nearly every time
+/// would need its swing anew.
+fn fill_unsorted(
+    motion: &Motion,
+    times: &[f64],
+    positions: &mut [f64],
+    velocities: &mut [f64],
+) -> Result<()> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_unstable_by(|&i, &j| times[i].total_cmp(&times[j]));
+    let sorted: Vec<f64> = order.iter().map(|&i| times[i]).collect();
+    let (mut xs, mut vs) = (vec![0.0; times.len()], vec![0.0; times.len()]);
+    fill_in_order(motion, &Times::Any(&sorted), &mut xs, &mut vs)?;
+    for (&i, (x, v)) in order.iter().zip(xs.into_iter().zip(vs)) {
+        (positions[i], velocities[i]) = (x, v);
+    }
+    Ok(())
+}
+
+fn fill_in_order(
+    motion: &Motion,
+    times: &Times,
+    positions: &mut [f64],
+    velocities: &mut [f64],
+) -> Result<()> {
     let arch = pulp::Arch::new();
     let mut cursor = motion.cursor(true);
     let mut first = 0;
