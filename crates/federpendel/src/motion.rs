@@ -253,11 +253,18 @@ impl Motion {
         let (omega0, zeta, kappa) = (reduced.omega0.hi(), reduced.zeta.hi(), reduced.kappa);
         let (y, w) = cursor.framed_at(cursor.tau(time));
         let side = -start.direction;
+        // The release itself, not what is left of it after two changes of frame.
+        let (position, velocity) = if time == 0.0 {
+            (self.release.position, self.release.velocity)
+        } else {
+            (side * (y + reduced.offset.hi()), side * w * omega0)
+        };
         Sample {
             time,
-            position: side * (y + reduced.offset.hi()),
-            velocity: side * w * omega0,
-            acceleration: side * (kappa * w * w - 2.0 * zeta * w - y) * omega0 * omega0,
+            // Adding zero makes a negative zero positive.
+            position: position + 0.0,
+            velocity: velocity + 0.0,
+            acceleration: side * (kappa * w * w - 2.0 * zeta * w - y) * omega0 * omega0 + 0.0,
             mode: if start.direction > 0.0 { Mode::Forward } else { Mode::Backward },
         }
     }

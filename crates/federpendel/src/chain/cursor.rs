@@ -196,11 +196,10 @@ impl<'m> Cursor<'m> {
 
     /// (y, w) in the frame of the swing, `tau` after its start.
     pub fn framed_at(&self, tau: f64) -> (f64, f64) {
+        let (y, w) = self.start.framed(self.reduced.offset);
         match &self.course {
-            Course::Linear(chain) => {
-                let (y, w) = self.start.framed(self.reduced.offset);
-                chain.propagator().state(tau, y.into(), w)
-            }
+            _ if tau == 0.0 => (y.into(), w),
+            Course::Linear(chain) => chain.propagator().state(tau, y.into(), w),
             Course::Series(_) => self.piece_at(tau).0.state(tau),
         }
     }
