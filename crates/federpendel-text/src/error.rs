@@ -104,21 +104,13 @@ impl Catalogue {
         let id = if PARAMETERS.iter().any(|info| info.name == key) {
             parameter_id(key)
         } else {
-            // The core may add an explanation in brackets to the name.
-            let name = key.split(" (").next().unwrap_or(key);
-            format!("derived-{}", name.replace(['_', ' '], "-"))
+            format!("derived-{}", key.replace('_', "-"))
         };
         if !self.contains(&id) {
             return key.to_owned();
         }
         let name = self.text(&id);
-        if key.contains(' ') {
-            name
-        } else if name.replace(' ', "_") == key {
-            key.to_owned()
-        } else {
-            format!("{key} ({name})")
-        }
+        if name.replace(' ', "_") == key { key.to_owned() } else { format!("{key} ({name})") }
     }
 }
 

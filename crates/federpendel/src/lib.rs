@@ -9,6 +9,7 @@ pub mod error;
 pub mod friction;
 pub mod motion;
 pub mod oscillator;
+pub mod outcome;
 pub mod parameter;
 pub mod problems;
 mod sampling;
@@ -19,8 +20,9 @@ mod swing;
 pub use energy::{Heat, Ledger};
 pub use error::{Error, Result};
 pub use friction::{Coulomb, Friction, Mix, Newton, NormalForce, Stokes};
-pub use motion::{Kind, Mode, Motion, Outcome, Rest, Sample, Ties, TurningPoint, even_times};
+pub use motion::{Kind, Mode, Motion, Sample, Ties, TurningPoint, even_times};
 pub use oscillator::{Oscillator, Regime, State};
+pub use outcome::{Outcome, Rest};
 
 /// Newton friction without Stokes friction: turning points and v(x) from a first integral.
 pub mod first_integral {

@@ -3,11 +3,12 @@
 use std::sync::OnceLock;
 
 use crate::chain::cursor::Cursor;
-use crate::chain::linear::{Last, LinearChain};
-use crate::chain::series::{MOST_SWINGS, SeriesChain};
+use crate::chain::linear::LinearChain;
+use crate::chain::series::SeriesChain;
 use crate::chain::{Chain, Start};
 use crate::error::{Error, Result};
 use crate::oscillator::{Oscillator, State};
+use crate::outcome::Outcome;
 use crate::parameter;
 use crate::sampling::{self, Grid, Times};
 use crate::sticking::Sticking;
@@ -55,45 +56,6 @@ pub struct TurningPoint {
     pub position: f64,
 }
 
-/// Where and when the mass comes to rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rest {
-    /// Time, s; zero if it is released at rest.
-    pub time: f64,
-    /// Position, m.
-    pub position: f64,
-    /// Number of swings until then; the first one may be a partial one.
-    pub swings: u64,
-    /// Distance of the place inside the edge of the sticking band, over the offset (over the half
-    /// width of the band where the kinetic coefficient is zero); negative if only [`Ties::Stick`]
-    /// made it stick, zero without Coulomb friction.
-    pub margin: f64,
-    /// Whether the edge is so near that rounding of the inputs decides.
-    pub tie: bool,
-}
-
-/// How a motion ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Outcome {
-    /// The mass comes to rest.
-    Rests(Rest),
-    /// The mass never rests but creeps to this place, m, without turning any more.
-    Creeps {
-        /// The place, m.
-        limit: f64,
-    },
-    /// The mass swings for ever, with falling or constant amplitude.
-    Swings,
-    /// Nothing is known after the time at which the search for a rest was given up.
-    Unknown {
-        /// Time of the last turning point followed, s.
-        after: f64,
-        /// Number of swings until then.
-        swings: u64,
-    },
-}
-
 /// How the motion is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -134,10 +96,10 @@ pub enum Ties {
 pub struct Motion {
     oscillator: Oscillator,
     release: State,
-    sticking: Sticking,
+    pub(crate) sticking: Sticking,
     amplitude: f64,
     chain: Chain,
-    outcome: OnceLock<Outcome>,
+    pub(crate) outcome: OnceLock<Outcome>,
 }
 
 /// Drag stronger than this, κ times the amplitude, is refused: a swing would take too many steps.
@@ -337,61 +299,6 @@ impl Motion {
             Some(TurningPoint { time: start.time(reduced), position: start.x.into() })
         })
     }
-
-    /// How the motion ends. With Newton friction this follows up to 1e7 swings, once.
-    pub fn outcome(&self) -> Outcome {
-        *self.outcome.get_or_init(|| self.find_outcome())
-    }
-
-    fn find_outcome(&self) -> Outcome {
-        let sticks = self.oscillator.sticking_offset() > 0.0;
-        let mut cursor = self.cursor(false);
-        loop {
-            if cursor.start().rests() {
-                return Outcome::Rests(self.rest(cursor.start()));
-            }
-            if let Some(chain) = cursor.linear() {
-                return self.linear_outcome(chain);
-            }
-            let endless = matches!(&self.chain, Chain::Series(chain) if chain.swings_on());
-            if endless && !sticks {
-                return Outcome::Swings;
-            }
-            if cursor.start().index >= MOST_SWINGS || !cursor.advance() {
-                return self.unknown(cursor.start());
-            }
-        }
-    }
-
-    fn linear_outcome(&self, chain: &LinearChain) -> Outcome {
-        match chain.last() {
-            Last::At(index) => Outcome::Rests(self.rest(&chain.start(index))),
-            Last::Beyond => self.unknown(&chain.start(crate::chain::linear::MOST_SWINGS)),
-            Last::Never if chain.propagator().frequency().is_some() => Outcome::Swings,
-            Last::Never => {
-                let mut start = chain.first();
-                while let Some(next) = chain.next(&start) {
-                    start = next;
-                }
-                Outcome::Creeps { limit: -start.direction * self.oscillator.offset() }
-            }
-        }
-    }
-
-    fn unknown(&self, start: &Start) -> Outcome {
-        Outcome::Unknown { after: start.time(self.oscillator.reduced()), swings: start.index }
-    }
-
-    fn rest(&self, start: &Start) -> Rest {
-        let verdict = self.sticking.verdict(start.x, start.index, start.error);
-        Rest {
-            time: start.time(self.oscillator.reduced()),
-            position: start.x.into(),
-            swings: start.index,
-            margin: verdict.margin,
-            tie: verdict.tie,
-        }
-    }
 }
 
 /// Bound on the error of a closed-form position, relative to the amplitude.
@@ -400,10 +307,14 @@ const CLOSED_FORM_ERROR: f64 = 8.0 * f64::EPSILON;
 /// The times `duration`·i/(`samples` − 1), s, the last one `duration` itself.
 ///
 /// # Errors
-/// [`Error::Parameter`] for a duration that is not above zero and finite, or fewer than two samples.
+/// [`Error::Parameter`] for a duration that is not above zero and finite, or fewer than two samples;
+/// [`Error::Derived`] if their product overflows.
 pub fn even_times(duration: f64, samples: usize) -> Result<Vec<f64>> {
     parameter::DURATION.check(duration)?;
     parameter::SAMPLES.check(samples as f64)?;
     let last = (samples - 1) as f64;
+    if !(duration * last).is_finite() {
+        return Err(Error::Derived { quantity: "duration", value: duration * last });
+    }
     Ok((0..samples).map(|i| duration * i as f64 / last).collect())
 }
