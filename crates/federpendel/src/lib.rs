@@ -28,3 +28,8 @@ pub use outcome::{Outcome, Rest};
 pub mod first_integral {
     pub use crate::swing::first_integral::{next_amplitude, speed};
 }
+
+/// The examples of the README, compiled and run with the other examples.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+pub struct Readme;
