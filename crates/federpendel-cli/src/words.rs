@@ -5,3 +5,16 @@ mod quantity;
 
 pub use experiment::experiment_error;
 pub use quantity::{allowed, quantity_problem, time_step_value};
+
+/// Longest part of what a user wrote that a message repeats, characters.
+const LONGEST_EXCERPT: usize = 60;
+
+/// What a user wrote, in one line and shortened, for a message.
+pub(crate) fn excerpt(text: &str) -> String {
+    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut short: String = line.chars().take(LONGEST_EXCERPT).collect();
+    if short.len() < line.len() {
+        short.push('…');
+    }
+    short
+}

@@ -87,7 +87,8 @@ pub enum Ties {
     /// Within the accumulated rounding of inputs and arithmetic the mass sticks.
     #[default]
     Stick,
-    /// The binary inputs are taken as exact.
+    /// The binary inputs are taken as exact, and arithmetic is as good as double-double (1e-30):
+    /// what is nearer to the edge than that lies on it and sticks.
     Strict,
 }
 
@@ -109,7 +110,7 @@ impl Motion {
     /// The motion of `oscillator` after `release`; on the edge of the band it sticks.
     ///
     /// # Errors
-    /// [`Error::Derived`] if the amplitude or the energy of the release overflow,
+    /// [`Error::Derived`] if the amplitude or the energy of the release overflow or underflow,
     /// [`Error::DragTooStrong`] if κ times the amplitude is above 1e5.
     pub fn new(oscillator: Oscillator, release: State) -> Result<Self> {
         Self::with_ties(oscillator, release, Ties::Stick)
@@ -124,7 +125,7 @@ impl Motion {
         let amplitude = release.position.abs().max(release.velocity.abs() / reduced.omega0.hi());
         for (quantity, value) in [("amplitude", amplitude), ("energy", oscillator.energy(release))]
         {
-            if !value.is_finite() {
+            if !(value.is_normal() || amplitude == 0.0) {
                 return Err(Error::Derived { quantity, value });
             }
         }

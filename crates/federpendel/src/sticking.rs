@@ -13,6 +13,10 @@ pub(crate) struct Sticking {
     ties: Ties,
 }
 
+/// Rounding of double-double numbers, in which a turning point is held against the edge, in units of that
+/// of `f64`: what lies outside by no more than this lies on the edge.
+const DOUBLE_ROUNDING: f64 = f64::EPSILON * 32.0;
+
 /// What the band says of a turning point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
@@ -37,8 +41,9 @@ impl Sticking {
         if band == 0.0 {
             return Verdict { sticks: inside >= 0.0, margin: 0.0, tie: false };
         }
-        let tie = inside.abs() <= self.rounding(swings) + error;
-        let sticks = inside >= 0.0 || tie && self.ties == Ties::Stick;
+        let rounding = self.rounding(swings);
+        let tie = inside.abs() <= rounding + error;
+        let sticks = inside >= -rounding * DOUBLE_ROUNDING || tie && self.ties == Ties::Stick;
         let unit = if self.offset > 0.0 { self.offset } else { band };
         Verdict { sticks, margin: inside / unit, tie }
     }

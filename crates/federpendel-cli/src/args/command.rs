@@ -57,7 +57,7 @@ fn template(catalogue: &Catalogue) -> String {
     format!("{{about-with-newline}}\n{usage}: {{usage}}\n\n{{all-args}}{{after-help}}\n")
 }
 
-/// "federpendel simulate [OPTIONS] operands".
+/// `federpendel simulate [OPTIONS] operands`.
 fn usage(command: &str, operands: String, catalogue: &Catalogue) -> String {
     let options = catalogue.text("cli-value-options");
     let words = ["federpendel".to_owned(), command.to_owned(), format!("[{options}]"), operands];

@@ -72,7 +72,7 @@ fn shells() -> String {
     Shell::value_variants().iter().map(Shell::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// "--mass <QUANTITY>" without the name of its value.
+/// `--mass <QUANTITY>` without the name of its value.
 fn flag_only(argument: &str) -> String {
     argument.split(" <").next().unwrap_or(argument).to_owned()
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Error, Field};
 use crate::quantity;
+use crate::words::excerpt;
 
 /// Where a value stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +77,7 @@ impl Draft {
     ) -> Result<(), Error> {
         let mut overrides = Draft::default();
         for (field, text) in flags {
-            overrides.set(field, text, text.to_owned(), Origin::Flag)?;
+            overrides.set(field, text, excerpt(text), Origin::Flag)?;
         }
         for field in overrides.values.keys() {
             for rival in field.rivals() {

@@ -6,12 +6,10 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Allowed, Draft, Error, Field, Origin};
+use crate::words::excerpt;
 
 /// Largest experiment file that is read, bytes.
 pub const LARGEST_FILE: usize = 1 << 20;
-
-/// Longest part of a file that a message repeats, characters.
-const LONGEST_EXCERPT: usize = 60;
 
 /// Reads the bytes of an experiment file.
 ///
@@ -98,16 +96,6 @@ impl Reader<'_> {
     fn excerpt(&self, span: Range<usize>) -> String {
         excerpt(self.text.get(span).unwrap_or_default())
     }
-}
-
-/// `text` in one line, shortened.
-fn excerpt(text: &str) -> String {
-    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let mut short: String = line.chars().take(LONGEST_EXCERPT).collect();
-    if short.len() < line.len() {
-        short.push('…');
-    }
-    short
 }
 
 fn line_at(text: &str, offset: usize) -> usize {

@@ -3,6 +3,7 @@
 use federpendel::parameter::{self, Range};
 use federpendel_text::Catalogue;
 
+use super::excerpt;
 use crate::quantity::{Dimension, Error, LONGEST};
 
 /// What is wrong with a text that should be a quantity.
@@ -25,21 +26,21 @@ pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
         Error::Overflow => catalogue.text("quantity-overflow"),
         Error::Underflow => catalogue.text("quantity-underflow"),
         Error::UnknownUnit { unit, nearest: None } => {
-            catalogue.format("quantity-unknown-unit", &[("unit", unit.as_str().into())])
+            catalogue.format("quantity-unknown-unit", &[("unit", excerpt(unit).into())])
         }
         Error::UnknownUnit { unit, nearest: Some(nearest) } => catalogue.format(
             "quantity-unknown-unit-near",
-            &[("unit", unit.as_str().into()), ("nearest", nearest.as_str().into())],
+            &[("unit", excerpt(unit).into()), ("nearest", nearest.as_str().into())],
         ),
         Error::UnitGrammar { unit } => {
-            catalogue.format("quantity-unit-grammar", &[("unit", unit.as_str().into())])
+            catalogue.format("quantity-unit-grammar", &[("unit", excerpt(unit).into())])
         }
         Error::WrongDimension { unit, found: Some(found) } => catalogue.format(
             "quantity-wrong-dimension",
-            &[("unit", unit.as_str().into()), ("found", measure(catalogue, *found).into())],
+            &[("unit", excerpt(unit).into()), ("found", measure(catalogue, *found).into())],
         ),
         Error::WrongDimension { unit, found: None } => {
-            catalogue.format("quantity-nameless-dimension", &[("unit", unit.as_str().into())])
+            catalogue.format("quantity-nameless-dimension", &[("unit", excerpt(unit).into())])
         }
     }
 }
@@ -59,7 +60,7 @@ pub fn time_step_value(catalogue: &Catalogue, written: &str) -> Result<f64, Stri
     let allowed = allowed(catalogue, Dimension::Time, info.range);
     let mut variables = vec![
         ("name", "--dt".into()),
-        ("value", format!("\"{written}\"").into()),
+        ("value", format!("\"{}\"", excerpt(written)).into()),
         ("allowed", allowed.into()),
     ];
     Err(match problem {

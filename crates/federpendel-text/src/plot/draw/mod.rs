@@ -1,4 +1,4 @@
-//! Back ends that draw a [`Plot`](super::Plot): SVG and PNG through one scene, and text for a
+//! Back ends that draw a [`Plot`]: SVG and PNG through one scene, and text for a
 //! terminal.
 
 mod braille;
