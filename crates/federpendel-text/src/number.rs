@@ -66,7 +66,9 @@ pub(crate) fn readable_unit(magnitude: f64, unit: &str) -> (&str, f64) {
         return (unit, 1.0);
     };
     let fits = scale.iter().find(|(_, size)| magnitude >= *size * (1.0 - 1e-12));
-    *fits.or(scale.last()).unwrap_or(&(unit, 1.0))
+    // A thousandth of the smallest unit still reads well in it; below, a power of ten of the SI unit.
+    let least = scale.last().filter(|(_, size)| magnitude >= *size * 1e-3);
+    *fits.or(least).unwrap_or(&(unit, 1.0))
 }
 
 /// A unit as it is printed: `m/s^2` as `m/s²`, the pure number's `1` as nothing.
