@@ -1,5 +1,35 @@
 //! The motion of a mass on a spring, slowed by Stokes (viscous), Coulomb (dry, it sticks) or Newton
 //! (quadratic) friction, or any mix of them: swing by swing, as exactly as each mix allows.
+//!
+//! m x″ = −C x − D x′ − sign(x′) μ F_N − sign(x′) ½ρc_wA x′²; where x′ = 0 the mass holds for ever if
+//! C|x| ≤ μ_s F_N.
+//!
+//! An [`Oscillator`] is the mass, the spring and the [`Friction`]; with the [`State`] of a release it
+//! makes a [`Motion`], which answers for any time t ≥ 0: [`Motion::at`], [`Motion::sample_even`] and
+//! [`Motion::sample`] for whole records, [`Motion::turning_points`], [`Motion::outcome`],
+//! [`Motion::ledger`] for energy and heat. [`Motion::kind`] says how it is known and
+//! [`Motion::error_bound`] how well.
+//!
+//! Every number is in SI units. Equation numbers are those of the article that [`article`] names.
+//! What is refused is refused with an [`Error`] that names the value and what is allowed; nothing
+//! here panics on input.
+//!
+//! ```
+//! use federpendel::{Friction, Motion, Newton, Oscillator, State, Stokes};
+//!
+//! let friction = Friction {
+//!     stokes: Some(Stokes::new(0.05)?),  // kg/s
+//!     newton: Some(Newton::new(0.047)?), // kg/m
+//!     ..Friction::NONE
+//! };
+//! let motion = Motion::new(Oscillator::new(0.5, 20.0, friction)?, State::new(0.1, 0.0)?)?;
+//! let (mut x, mut v) = ([0.0; 1001], [0.0; 1001]);
+//! motion.sample_even(10.0, &mut x, &mut v)?; // m and m/s, every 10 ms
+//! let turn = motion.turning_points().next().expect("it swings");
+//! assert!((turn.time - 0.497).abs() < 1e-3 && turn.position < 0.0);
+//! assert!(motion.error_bound(10.0)? < 1e-14);
+//! # Ok::<(), federpendel::Error>(())
+//! ```
 
 pub mod article;
 mod chain;

@@ -140,6 +140,8 @@ impl Oscillator {
         let mix = friction.mix();
         let slides = friction.coulomb.is_some_and(|law| law.kinetic() > 0.0);
         representable("damping_rate", f64::from(reduced.zeta), mix.stokes)?;
+        // 1 − ζ² must stay in the range too.
+        representable("damping_ratio^2", 1.0 + reduced.zeta.hi().powi(2), true)?;
         representable("offset", f64::from(reduced.offset), slides)?;
         representable("sticking_offset", f64::from(reduced.sticking_offset), mix.coulomb)?;
         representable("newton_rate", reduced.kappa, mix.newton)?;

@@ -1,6 +1,10 @@
 //! The article's results by equation number, as printed and corrected, to be held beside the exact
 //! motion.
 //!
+//! “The article” is *Das Federpendel mit verschiedenen Arten von Reibung* (The spring pendulum with
+//! different kinds of friction), in German. Wherever this crate gives an equation number it is one
+//! of that article's.
+//!
 //! The article solves three experiments: no friction (its section 1), Stokes friction alone (2) and
 //! Coulomb friction alone (3). Everything here refuses other mixes with [`Error::NotInArticle`].
 //! It knows no static friction, so a static coefficient above the kinetic one has no effect here.

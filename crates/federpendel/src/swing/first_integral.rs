@@ -71,7 +71,7 @@ fn log1p_minus(x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Amplitudes of PHYSICS' table, found at 50 digits by another program; ω0 = 1, |x0| = 1.
+    /// Amplitudes found at 50 digits by another program; ω0 = 1, |x0| = 1.
     #[test]
     fn amplitudes_fall_as_published() {
         let chain = |kappa, count| (0..count).fold(1.0, |a, _| next_amplitude(kappa, a));

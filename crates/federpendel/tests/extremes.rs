@@ -1,0 +1,41 @@
+//! Inputs at the ends of the range of `f64`: refused by name, or computed; never NaN, never endless.
+
+use federpendel::{Error, Friction, Motion, Newton, Oscillator, State, Stokes};
+
+fn refused(motion: federpendel::Result<Motion>) -> &'static str {
+    match motion {
+        Err(Error::Derived { quantity, .. }) => quantity,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn motion(
+    mass: f64,
+    stiffness: f64,
+    friction: impl Into<Friction>,
+    position: f64,
+) -> federpendel::Result<Motion> {
+    Motion::new(Oscillator::new(mass, stiffness, friction)?, State::new(position, 0.0)?)
+}
+
+#[test]
+fn a_release_whose_energy_underflows_is_refused() {
+    let drag = Newton::new(4.3e-5).unwrap();
+    assert_eq!(refused(motion(1.9e-7, 1.1e-5, drag, 1.06e-321)), "amplitude");
+    assert_eq!(refused(motion(1.0, 1.0, Friction::NONE, 1e-160)), "energy");
+    assert!(motion(1.0, 1.0, Friction::NONE, 0.0).is_ok());
+}
+
+#[test]
+fn damping_whose_square_overflows_is_refused() {
+    let damping = Stokes::new(8.374235505809573e275).unwrap();
+    assert_eq!(refused(motion(0.772, 1.4385e-5, damping, -0.1736)), "damping_ratio^2");
+}
+
+#[test]
+fn the_strongest_damping_holds_the_mass_where_it_is() {
+    let motion = motion(1.0, 1.0, Stokes::new(1e150).unwrap(), 0.5).unwrap();
+    let sample = motion.at(1.0).unwrap();
+    assert_eq!(sample.position, 0.5);
+    assert!((sample.velocity / -0.5e-150 - 1.0).abs() < 1e-12, "{sample:?}");
+}
