@@ -164,6 +164,7 @@ mod tests {
             (0.0, "m", "0 m"),
             (0.5, "kg", "500 g"),
             (1e-12, "m", "0.001 nm"),
+            (4.7e-16, "m", "4.7 × 10⁻¹⁶ m"),
             (5e6, "s", "5 × 10⁶ s"),
         ] {
             assert_eq!(english.quantity(value, unit, 4), text);

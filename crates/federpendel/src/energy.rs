@@ -143,8 +143,8 @@ impl<'m> Account<'m> {
             return Ok(());
         };
         let (Some(duration), chain) = (chain.repeat_duration(), *chain) else { return Ok(()) };
-        let mut last = start;
-        self.cursor.seek(self.motion.chain(), time).map(|()| last = *self.cursor.start())?;
+        self.cursor.seek(self.motion.chain(), time)?;
+        let last = *self.cursor.start();
         let (first, second) = chain.sums(&start, last.index - start.index);
         let unit = self.integrals(&chain, duration);
         self.work.path += first * (1.0 + chain.ratio());

@@ -61,7 +61,8 @@ pub struct TurningPoint {
 pub enum Kind {
     /// No Newton friction: everything in closed form.
     ClosedForm,
-    /// Newton friction without Stokes friction: turning places and v(x) from a first integral.
+    /// Newton friction without Stokes friction: a first integral gives turning places and v(x) exactly
+    /// (see [`crate::first_integral`]); the motion is followed as a series that agrees with it.
     FirstIntegral,
     /// Stokes and Newton friction: every swing as a series, to rounding.
     Series,
@@ -308,14 +309,22 @@ const CLOSED_FORM_ERROR: f64 = 8.0 * f64::EPSILON;
 /// The times `duration`·i/(`samples` − 1), s, the last one `duration` itself.
 ///
 /// # Errors
-/// [`Error::Parameter`] for a duration that is not above zero and finite, or fewer than two samples;
-/// [`Error::Derived`] if their product overflows.
+/// [`Error::Parameter`] for a duration that is not above zero and finite, or fewer than two samples.
 pub fn even_times(duration: f64, samples: usize) -> Result<Vec<f64>> {
     parameter::DURATION.check(duration)?;
     parameter::SAMPLES.check(samples as f64)?;
     let last = (samples - 1) as f64;
-    if !(duration * last).is_finite() {
-        return Err(Error::Derived { quantity: "duration", value: duration * last });
+    Ok((0..samples).map(|i| even_time(duration, last, i as f64)).collect())
+}
+
+/// Time `i` of `last` + 1 even ones; the last is `duration` itself.
+pub(crate) fn even_time(duration: f64, last: f64, i: f64) -> f64 {
+    let product = duration * i;
+    if i == last {
+        duration
+    } else if product.is_finite() {
+        product / last
+    } else {
+        duration * (i / last)
     }
-    Ok((0..samples).map(|i| duration * i as f64 / last).collect())
 }

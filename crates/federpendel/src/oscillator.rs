@@ -37,7 +37,8 @@ impl State {
     }
 }
 
-/// How strongly Stokes friction alone damps the spring: a label. No computation branches on it.
+/// How strongly Stokes friction alone damps the spring: a label for people. The motion itself comes from one
+/// formula for all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Regime {
     /// γ = 0.
@@ -133,13 +134,13 @@ impl Oscillator {
             }
         };
         // Also C/m and C m, from which double-double takes its roots, must not leave the range.
-        representable("angular_frequency", stiffness / mass, true)?;
-        representable("angular_frequency", stiffness * mass, true)?;
+        representable("stiffness/mass", stiffness / mass, true)?;
+        representable("stiffness*mass", stiffness * mass, true)?;
         let reduced = Reduced::new(mass, stiffness, &friction);
         representable("angular_frequency", f64::from(reduced.omega0), true)?;
         let mix = friction.mix();
         let slides = friction.coulomb.is_some_and(|law| law.kinetic() > 0.0);
-        representable("damping_rate", f64::from(reduced.zeta), mix.stokes)?;
+        representable("damping_ratio", f64::from(reduced.zeta), mix.stokes)?;
         // 1 − ζ² must stay in the range too.
         representable("damping_ratio^2", 1.0 + reduced.zeta.hi().powi(2), true)?;
         representable("offset", f64::from(reduced.offset), slides)?;

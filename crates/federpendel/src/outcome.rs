@@ -74,7 +74,11 @@ impl Motion {
         match chain.last() {
             Last::At(index) => Outcome::Rests(self.rest(&chain.start(index))),
             Last::Beyond => self.unknown(&chain.start(linear::MOST_SWINGS)),
-            Last::Never if chain.propagator().frequency().is_some() => Outcome::Swings,
+            // As the label says: what is critical up to rounding creeps.
+            Last::Never if self.oscillator().period().is_some() => Outcome::Swings,
+            Last::Never if chain.propagator().frequency().is_some() => {
+                Outcome::Creeps { limit: 0.0 }
+            }
             Last::Never => {
                 let mut start = chain.first();
                 while let Some(next) = chain.next(&start) {

@@ -1,6 +1,6 @@
 //! A place on the chain of swings, from which it is walked and sampled.
 
-use crate::chain::linear::LinearChain;
+use crate::chain::linear::{self, LinearChain};
 use crate::chain::series::{MOST_SWINGS, Next, SeriesChain};
 use crate::chain::{Chain, Start};
 use crate::error::{Error, Result};
@@ -152,7 +152,14 @@ impl<'m> Cursor<'m> {
     }
 
     fn lost(&self, time: f64) -> Error {
-        Error::TooManySwings { time, reached: self.from, swings: self.start.index }
+        let (reached, swings) = match &self.course {
+            Course::Linear(chain) => {
+                let last = chain.start(linear::MOST_SWINGS);
+                (last.time(&self.reduced), last.index)
+            }
+            Course::Series(_) => (self.from, self.start.index),
+        };
+        Error::TooManySwings { time, reached, swings }
     }
 
     pub fn start(&self) -> &Start {
@@ -181,6 +188,11 @@ impl<'m> Cursor<'m> {
 
     /// Time since the start of the swing, ω0 t, at `time` (s), which it must hold.
     pub fn tau(&self, time: f64) -> f64 {
+        // So far out, where double-double would overflow, it has no digits to add.
+        let coarse = self.reduced.omega0.hi() * time;
+        if coarse > 1e200 {
+            return coarse;
+        }
         f64::from(self.reduced.omega0 * time - self.start.tau).max(0.0)
     }
 

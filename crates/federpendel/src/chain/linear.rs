@@ -191,11 +191,20 @@ impl LinearChain {
         let (Some(Repeat { duration, .. }), false) = (self.repeat, rest_start.rests()) else {
             return Some(rest_start.index);
         };
-        let count = ((tau - rest_start.tau) / duration).hi().max(0.0) as u64;
-        let last = if let Last::At(last) = self.last { last } else { MOST_SWINGS };
-        let mut index = (rest_start.index.saturating_add(count)).min(last);
+        if let Last::At(last) = self.last
+            && self.start(last).time(&self.reduced) <= time
+        {
+            return Some(last);
+        }
+        // First without double-double, which overflows earlier and then is no number.
+        let coarse = tau.hi() / duration.hi();
+        if coarse.is_nan() || coarse >= MOST_SWINGS as f64 {
+            return None;
+        }
+        let count = ((tau - rest_start.tau) / duration).hi().max(0.0);
+        let mut index = rest_start.index + count as u64;
         // The times that are told are rounded; a swing starts at its rounded time.
-        while index < last && self.start(index + 1).time(&self.reduced) <= time {
+        while self.start(index + 1).time(&self.reduced) <= time {
             index += 1;
         }
         while index > rest_start.index && self.start(index).time(&self.reduced) > time {
@@ -246,8 +255,8 @@ fn swings_until(a: f64, band: f64, offset: f64, decrement: f64) -> f64 {
     if damped.is_finite() { damped.ceil() } else { without_damping.ceil() }
 }
 
-/// In double-double, since the ratio is raised to a power as large as the number of swings.
 /// For a number of swings: Y' = `a` Y − `b`, ΣY = `p` Y − `q`, ΣY² = `s` Y² − `t` Y + `u`.
+/// In double-double, since the ratio is raised to a power as large as the number of swings.
 #[derive(Debug, Clone, Copy)]
 struct SwingSums {
     a: Double,

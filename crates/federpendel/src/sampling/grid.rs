@@ -64,6 +64,9 @@ impl Grid {
         let inverse = self.inverse;
         let product = each(|k| self.duration * (i + k) as f64);
         let times = each(|k| {
+            if (i + k) as f64 == self.last {
+                return self.duration;
+            }
             if !FUSED {
                 return product[k] / self.last;
             }

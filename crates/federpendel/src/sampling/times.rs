@@ -1,6 +1,7 @@
 //! The times of a record: any, or an even grid.
 
 use crate::error::Result;
+use crate::motion::even_time;
 use crate::parameter;
 use crate::sampling::grid::Grid;
 use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
@@ -23,7 +24,7 @@ impl Times<'_> {
     pub fn time(&self, i: usize) -> f64 {
         match *self {
             Times::Any(times) => times[i],
-            Times::Even(grid) => grid.duration * i as f64 / grid.last,
+            Times::Even(grid) => even_time(grid.duration, grid.last, i as f64),
         }
     }
 

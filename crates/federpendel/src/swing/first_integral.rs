@@ -7,6 +7,9 @@
 
 use lambert_w::lambert_w0;
 
+use crate::error::{Error, Result};
+use crate::parameter::Range;
+
 /// The turning amplitude b that follows a swing from rest at distance `amplitude` a ≥ 0 (m) from
 /// the centre of the swing, with Newton rate `kappa` κ > 0 (1/m) and no Stokes friction.
 ///
@@ -14,10 +17,15 @@ use lambert_w::lambert_w0;
 /// b = (1 + W₀(−(1 + 2κa) e^(−(1 + 2κa))))/(2κ); always b < 1/(2κ).
 ///
 /// ```
-/// let b = federpendel::first_integral::next_amplitude(0.1, 1.0);
+/// let b = federpendel::first_integral::next_amplitude(0.1, 1.0)?;
 /// assert!((b - 0.8821899862473064).abs() < 1e-15);
+/// # Ok::<(), federpendel::Error>(())
 /// ```
-pub fn next_amplitude(kappa: f64, amplitude: f64) -> f64 {
+///
+/// # Errors
+/// [`Error::Parameter`] unless κ > 0 and a ≥ 0, both finite.
+pub fn next_amplitude(kappa: f64, amplitude: f64) -> Result<f64> {
+    check(kappa, amplitude)?;
     let a = kappa * amplitude;
     // Next to its branch point W loses half the digits, so it serves as a start only; where the
     // drag is weak even that fails, and b/a = 1 − 4κa/3 + O((κa)²) is the better one.
@@ -34,7 +42,7 @@ pub fn next_amplitude(kappa: f64, amplitude: f64) -> f64 {
             b += (log1p_minus(-2.0 * b) - target) * (1.0 - 2.0 * b) / (4.0 * b);
         }
     }
-    b / kappa
+    Ok(b / kappa)
 }
 
 /// Speed |v|/ω0 (m) at the place `y` (m) of a swing from rest at distance `amplitude` from its centre;
@@ -42,16 +50,40 @@ pub fn next_amplitude(kappa: f64, amplitude: f64) -> f64 {
 ///
 /// ```
 /// use federpendel::first_integral::{next_amplitude, speed};
-/// let b = next_amplitude(0.1, 1.0);
-/// assert!(speed(0.1, 1.0, -b).unwrap_or(0.0) < 1e-7);
-/// assert_eq!(speed(0.1, 1.0, 1.5), None);
+/// let b = next_amplitude(0.1, 1.0)?;
+/// assert!(speed(0.1, 1.0, -b)?.unwrap_or(0.0) < 1e-7);
+/// assert_eq!(speed(0.1, 1.0, 1.5)?, None);
+/// # Ok::<(), federpendel::Error>(())
 /// ```
-pub fn speed(kappa: f64, amplitude: f64, y: f64) -> Option<f64> {
-    // With d = a − y: κ²w² = (κa + ½)(1 − e^(−2κd)) − κd, free of cancellation next to rest up to the
-    // order at which the square itself vanishes.
+///
+/// # Errors
+/// [`Error::Parameter`] unless κ > 0 and a ≥ 0, both finite.
+pub fn speed(kappa: f64, amplitude: f64, y: f64) -> Result<Option<f64>> {
+    check(kappa, amplitude)?;
+    // With d = κ(a − y): κ²w² = 2κa d − (κa + ½)(e^(−2d) − 1 + 2d), where the bracket is of second order.
     let d = kappa * (amplitude - y);
-    let square = -(kappa * amplitude + 0.5) * (-2.0 * d).exp_m1() - d;
-    (d >= 0.0 && square >= 0.0).then(|| square.sqrt() / kappa)
+    let a = kappa * amplitude;
+    let square = 2.0 * a * d - (a + 0.5) * expm1_minus(-2.0 * d);
+    Ok((d >= 0.0 && square >= 0.0).then(|| square.sqrt() / kappa))
+}
+
+fn check(kappa: f64, amplitude: f64) -> Result<()> {
+    for (name, value, range) in
+        [("kappa", kappa, Range::Positive), ("amplitude", amplitude, Range::NonNegative)]
+    {
+        if !range.contains(value) {
+            return Err(Error::Parameter { name, value, range });
+        }
+    }
+    Ok(())
+}
+
+/// e^x − 1 − x without cancellation.
+fn expm1_minus(x: f64) -> f64 {
+    if x.abs() > 0.5 {
+        return x.exp_m1() - x;
+    }
+    (3..18).rev().fold(1.0, |sum, n| 1.0 + sum * x / f64::from(n)) * 0.5 * x * x
 }
 
 /// ln(1 + x) − x without cancellation.
@@ -74,7 +106,7 @@ mod tests {
     /// Amplitudes found at 50 digits by another program; ω0 = 1, |x0| = 1.
     #[test]
     fn amplitudes_fall_as_published() {
-        let chain = |kappa, count| (0..count).fold(1.0, |a, _| next_amplitude(kappa, a));
+        let chain = |kappa, count| (0..count).fold(1.0, |a, _| next_amplitude(kappa, a).unwrap());
         for (kappa, count, published) in [
             (0.1, 1, 0.8821899862473064),
             (0.1, 2, 0.789240320289402),
@@ -92,7 +124,7 @@ mod tests {
     fn any_strength_of_drag_is_held() {
         for exponent in -300..=6 {
             let a = 10f64.powi(exponent);
-            let b = next_amplitude(1.0, a);
+            let b = next_amplitude(1.0, a).unwrap();
             assert!(b > 0.0 && b <= a && b <= 0.5, "{a} {b}");
             if a < 1e-5 {
                 // Expansion of the defining equation.

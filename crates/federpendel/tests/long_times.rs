@@ -1,0 +1,53 @@
+//! Times at which nothing can overflow unseen.
+
+use federpendel::{
+    Coulomb, Error, Motion, Newton, NormalForce, Oscillator, Outcome, State, Stokes,
+};
+
+const LONG: [f64; 4] = [1e20, 1e200, 1e300, f64::MAX];
+
+fn motion(friction: impl Into<federpendel::Friction>) -> Motion {
+    let oscillator = Oscillator::new(0.5, 20.0, friction).unwrap();
+    Motion::new(oscillator, State::new(0.1, 0.2).unwrap()).unwrap()
+}
+
+#[test]
+fn what_rests_rests_for_ever() {
+    let dry = Coulomb::new(0.02, 0.02, NormalForce::Weight(9.81)).unwrap();
+    let motion = motion(dry);
+    let Outcome::Rests(rest) = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    for time in LONG {
+        assert_eq!(motion.at(time).unwrap().position, rest.position, "{time}");
+    }
+}
+
+#[test]
+fn what_creeps_has_arrived() {
+    let motion = motion(Stokes::new(50.0).unwrap());
+    for time in LONG {
+        let sample = motion.at(time).unwrap();
+        assert_eq!((sample.position, sample.velocity), (0.0, 0.0), "{time}");
+    }
+}
+
+#[test]
+fn what_swings_for_ever_is_lost() {
+    for motion in [motion(federpendel::Friction::NONE), motion(Stokes::new(0.1).unwrap())] {
+        for time in LONG {
+            let lost = motion.at(time).unwrap_err();
+            assert!(matches!(lost, Error::TooManySwings { .. }), "{time}: {lost}");
+        }
+    }
+}
+
+#[test]
+fn drag_with_damping_ends_in_the_closed_form() {
+    let friction = federpendel::Friction {
+        stokes: Some(Stokes::new(50.0).unwrap()),
+        coulomb: None,
+        newton: Some(Newton::new(0.3).unwrap()),
+    };
+    for time in LONG {
+        assert_eq!(motion(friction).at(time).unwrap().position, 0.0, "{time}");
+    }
+}
