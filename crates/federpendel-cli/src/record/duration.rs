@@ -16,7 +16,8 @@ const TIME_CONSTANTS: f64 = 10.0;
 /// A period this much longer than the undamped one tells of creeping rather than swinging.
 const STRETCHED: f64 = 20.0;
 
-/// Shortly after rest, on a round number; 12 periods if it never rests, or only after 200; ten time
+/// Shortly after rest, on a round number; 12 periods (and a rounding more, so that the turning point at
+/// their end belongs to them) if it never rests, or only after 200; ten time
 /// constants where Stokes friction leaves no period.
 pub(crate) fn default_duration(motion: &Motion, outcome: &Outcome) -> f64 {
     let oscillator = motion.oscillator();
@@ -26,7 +27,10 @@ pub(crate) fn default_duration(motion: &Motion, outcome: &Outcome) -> f64 {
     match outcome {
         Outcome::Rests(rest) if rest.time == 0.0 => undamped,
         Outcome::Rests(rest) if rest.time <= longest => round_up(1.02 * rest.time),
-        _ => period.map_or_else(|| TIME_CONSTANTS * time_constant(oscillator), |t| PERIODS * t),
+        _ => period.map_or_else(
+            || TIME_CONSTANTS * time_constant(oscillator),
+            |t| PERIODS * t * (1.0 + 8.0 * f64::EPSILON),
+        ),
     }
 }
 
