@@ -64,16 +64,11 @@ impl Grid {
         let inverse = self.inverse;
         let product = each(|k| self.duration * (i + k) as f64);
         let times = each(|k| {
-            if (i + k) as f64 == self.last {
-                return self.duration;
-            }
-            if !FUSED {
-                return product[k] / self.last;
-            }
             // The rounded quotient without a division, by Markstein's correction.
-            let quotient = product[k] * inverse;
+            let quotient = if FUSED { product[k] * inverse } else { product[k] / self.last };
             let rest = mul_add::<FUSED>(-quotient, self.last, product[k]);
-            mul_add::<FUSED>(rest, inverse, quotient)
+            let rounded = if FUSED { mul_add::<FUSED>(rest, inverse, quotient) } else { quotient };
+            if (i + k) as f64 == self.last { self.duration } else { rounded }
         });
         let lag = each(|k| {
             let exact = product_error::<FUSED>(self.duration, (i + k) as f64, product[k]);

@@ -11,21 +11,6 @@ use crate::motion::Motion;
 pub(crate) use grid::Grid;
 pub(crate) use times::Times;
 
-/// Fills the buffers, which are as long as `times`.
-pub(crate) fn fill(
-    motion: &Motion,
-    times: &Times,
-    positions: &mut [f64],
-    velocities: &mut [f64],
-) -> Result<()> {
-    match times {
-        Times::Any(times) if !times.is_sorted() => {
-            fill_unsorted(motion, times, positions, velocities)
-        }
-        _ => fill_in_order(motion, times, positions, velocities),
-    }
-}
-
 /// Samples the times in order and puts them back where they belong: going to and fro, nearly every time
 /// would need its swing anew.
 fn fill_unsorted(
@@ -38,14 +23,18 @@ fn fill_unsorted(
     order.sort_unstable_by(|&i, &j| times[i].total_cmp(&times[j]));
     let sorted: Vec<f64> = order.iter().map(|&i| times[i]).collect();
     let (mut xs, mut vs) = (vec![0.0; times.len()], vec![0.0; times.len()]);
-    fill_in_order(motion, &Times::Any(&sorted), &mut xs, &mut vs)?;
+    fill(motion, &Times::Any(&sorted), &mut xs, &mut vs)?;
     for (&i, (x, v)) in order.iter().zip(xs.into_iter().zip(vs)) {
         (positions[i], velocities[i]) = (x, v);
     }
     Ok(())
 }
 
-fn fill_in_order(
+/// Steps back in time after which the times are sorted.
+const PATIENCE: usize = 8;
+
+/// Fills the buffers, which are as long as `times`.
+pub(crate) fn fill(
     motion: &Motion,
     times: &Times,
     positions: &mut [f64],
@@ -53,9 +42,13 @@ fn fill_in_order(
 ) -> Result<()> {
     let arch = pulp::Arch::new();
     let mut cursor = motion.cursor(true);
-    let mut first = 0;
+    let (mut first, mut steps_back) = (0, 0);
     while first < positions.len() {
         let time = times.check(first)?;
+        steps_back += usize::from(time < cursor.from());
+        if let (Times::Any(times), true) = (times, steps_back > PATIENCE) {
+            return fill_unsorted(motion, times, positions, velocities);
+        }
         cursor.seek(motion.chain(), time)?;
         let end = times.run_end(first, cursor.from(), cursor.until());
         arch.dispatch(kernel::Run {
