@@ -1,7 +1,7 @@
 //! An even grid of times, on which a linear swing can be carried on instead of computed anew.
 
 use crate::oscillator::Reduced;
-use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
+use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error, quotient_error};
 use crate::swing::linear::{Propagator, Transfer};
 
 /// States carried on from one that is computed, [`LANES`] samples each.
@@ -14,6 +14,8 @@ const LONGEST: f64 = 1e7;
 pub(crate) struct Grid {
     pub duration: f64,
     pub last: f64,
+    /// Samples per second, `last`/`duration`.
+    pub rate: f64,
     /// 1/`last`.
     inverse: f64,
     zeta: f64,
@@ -45,6 +47,7 @@ impl Grid {
         Grid {
             duration,
             last,
+            rate: last / duration,
             inverse: 1.0 / last,
             zeta,
             lag_scale: reduced.omega0.hi() / last,
@@ -61,20 +64,26 @@ impl Grid {
     /// [`LANES`] times from index `i` on and their lags.
     #[inline(always)]
     pub fn lanes<const FUSED: bool>(&self, i: usize) -> (Lanes, Lanes) {
-        let inverse = self.inverse;
-        let product = each(|k| self.duration * (i + k) as f64);
-        let times = each(|k| {
+        let from = i as f64;
+        let index = each(|k| from + k as f64);
+        let product = each(|k| self.duration * index[k]);
+        let mut times = each(|k| {
             // The rounded quotient without a division, by Markstein's correction.
-            let quotient = if FUSED { product[k] * inverse } else { product[k] / self.last };
+            let quotient = if FUSED { product[k] * self.inverse } else { product[k] / self.last };
             let rest = mul_add::<FUSED>(-quotient, self.last, product[k]);
-            let rounded = if FUSED { mul_add::<FUSED>(rest, inverse, quotient) } else { quotient };
-            if (i + k) as f64 == self.last { self.duration } else { rounded }
+            if FUSED { mul_add::<FUSED>(rest, self.inverse, quotient) } else { quotient }
         });
+        if from + LANES as f64 > self.last {
+            let ends = (self.last - from) as usize;
+            if let Some(time) = times.get_mut(ends) {
+                *time = self.duration;
+            }
+        }
         let lag = each(|k| {
-            let exact = product_error::<FUSED>(self.duration, (i + k) as f64, product[k]);
-            let back = times[k] * self.last;
-            let error = product_error::<FUSED>(times[k], self.last, back);
-            ((back - product[k]) + (error - exact)) * self.lag_scale
+            // What two roundings left out: that of the product, and the remainder of the quotient.
+            let product_error = product_error::<FUSED>(self.duration, index[k], product[k]);
+            let remainder = quotient_error::<FUSED>(times[k], self.last, product[k]);
+            (remainder + product_error) * -self.lag_scale
         });
         (times, lag)
     }

@@ -1,12 +1,16 @@
 //! One run of samples on one swing.
 
+use std::hint::black_box;
+
 use pulp::{Simd, WithSimd};
 
 use crate::chain::cursor::Cursor;
 use crate::double::Double;
 use crate::oscillator::Reduced;
 use crate::sampling::grid::{Carried, Grid};
-use crate::sampling::lanes::{LANES, Lanes, each, exp, mul_add, sin_cos, two_polynomials};
+use crate::sampling::lanes::{
+    ALL_TERMS, FEW_TERMS, FEW_TERMS_REACH, LANES, Lanes, each, exp, mul_add, polynomial, sin_cos,
+};
 use crate::sampling::times::{Clock, Times};
 use crate::swing::piece::{DEGREE, Piece};
 
@@ -73,11 +77,23 @@ impl Run<'_> {
         let start = *self.cursor.start();
         let (y0, w0) = start.framed(self.reduced.offset);
         let clock = self.clock(start.tau + 0.5 * duration);
-        let oscillation =
-            Oscillation::new(y0.into(), w0, self.reduced.zeta.hi(), (duration, decay));
+        let zeta = self.reduced.zeta.hi();
+        let oscillation = Oscillation::new(y0.into(), w0, zeta, (duration, decay));
+        let farthest = 0.5 * zeta * duration;
+        if zeta == 0.0 {
+            self.store_oscillation::<FUSED>(&clock, &Damped::<0>(oscillation));
+        } else if farthest <= FEW_TERMS_REACH {
+            self.store_oscillation::<FUSED>(&clock, &Damped::<FEW_TERMS>(oscillation));
+        } else {
+            self.store_oscillation::<FUSED>(&clock, &Damped::<ALL_TERMS>(oscillation));
+        }
+    }
+
+    #[inline(always)]
+    fn store_oscillation<const FUSED: bool>(&mut self, clock: &Clock, stretch: &impl Stretch) {
         match self.times {
-            Times::Any(_) => self.store::<FUSED>(Direct::new(&clock, &oscillation)),
-            Times::Even(grid) => self.store::<FUSED>(Carry::new(&clock, &oscillation, grid)),
+            Times::Any(_) => self.store::<FUSED>(Direct::new(clock, stretch)),
+            Times::Even(grid) => self.store::<FUSED>(Carry::new(clock, stretch, grid)),
         }
     }
 
@@ -174,21 +190,21 @@ impl<S: Stretch> Source for Direct<'_, S> {
 }
 
 /// On an even grid, most states carried on from one before.
-struct Carry<'a> {
+struct Carry<'a, S> {
     clock: &'a Clock,
-    oscillation: &'a Oscillation,
+    oscillation: &'a S,
     grid: &'a Grid,
     from: Carried,
 }
 
-impl<'a> Carry<'a> {
-    fn new(clock: &'a Clock, oscillation: &'a Oscillation, grid: &'a Grid) -> Self {
+impl<'a, S: Stretch> Carry<'a, S> {
+    fn new(clock: &'a Clock, oscillation: &'a S, grid: &'a Grid) -> Self {
         let from = Carried { y: [0.0; LANES], w: [0.0; LANES], lag: [0.0; LANES] };
         Carry { clock, oscillation, grid, from }
     }
 }
 
-impl Source for Carry<'_> {
+impl<S: Stretch> Source for Carry<'_, S> {
     #[inline(always)]
     fn block<const FUSED: bool>(
         &mut self,
@@ -231,6 +247,7 @@ trait Stretch {
 /// A linear swing from its middle: with φ = √(1 − ζ²) τ,
 /// y = e^(−ζτ)(b cos φ − y0 sin φ) and w = −e^(−ζτ)(d cos φ + w0 sin φ), where e^(−ζ duration/2) is
 /// in the coefficients; |φ| ≤ π/2 needs no reduction of the argument.
+#[derive(Clone, Copy)]
 struct Oscillation {
     zeta: f64,
     root: f64,
@@ -254,16 +271,22 @@ impl Oscillation {
     }
 }
 
-impl Stretch for Oscillation {
+/// An oscillation whose decay takes so many terms of e^x.
+struct Damped<const TERMS: usize>(Oscillation);
+
+impl<const TERMS: usize> Stretch for Damped<TERMS> {
     #[inline(always)]
     fn state<const FUSED: bool>(&self, tau: &Lanes) -> (Lanes, Lanes) {
-        let (sin, cos) = sin_cos::<FUSED>(&each(|i| self.root * tau[i]));
-        let y = each(|i| mul_add::<FUSED>(self.b, cos[i], -self.y0 * sin[i]));
-        let w = each(|i| mul_add::<FUSED>(-self.d, cos[i], -self.w0 * sin[i]));
-        if self.zeta == 0.0 {
+        let Oscillation { zeta, root, y0, w0, b, d } = self.0;
+        let (sin, cos) = sin_cos::<FUSED>(&each(|i| root * tau[i]));
+        let y = each(|i| mul_add::<FUSED>(b, cos[i], -y0 * sin[i]));
+        let w = each(|i| mul_add::<FUSED>(-d, cos[i], -w0 * sin[i]));
+        if TERMS == 0 {
             return (y, w);
         }
-        let decay = exp::<FUSED>(&each(|i| -self.zeta * tau[i]));
+        // Through memory in between: in one piece with the sine, the compiler's search for vectors takes
+        // this apart into single numbers, which doubles the time of a record.
+        let decay = black_box(exp::<FUSED, TERMS>(&black_box(each(|i| -zeta * tau[i]))));
         (each(|i| y[i] * decay[i]), each(|i| w[i] * decay[i]))
     }
 }
@@ -276,6 +299,18 @@ impl<const TERMS: usize> Stretch for Polynomials<'_, TERMS> {
     fn state<const FUSED: bool>(&self, tau: &Lanes) -> (Lanes, Lanes) {
         let Piece { inverse_scale, position, velocity, .. } = self.0;
         let u = each(|i| tau[i] * inverse_scale);
-        two_polynomials::<FUSED, TERMS>(position, velocity, &u)
+        (leading::<FUSED, TERMS>(position, &u), leading::<FUSED, TERMS>(velocity, &u))
+    }
+}
+
+/// The polynomial of the first `TERMS` coefficients.
+#[inline(always)]
+fn leading<const FUSED: bool, const TERMS: usize>(
+    coefficients: &[f64; DEGREE + 1],
+    x: &Lanes,
+) -> Lanes {
+    match coefficients.first_chunk::<TERMS>() {
+        Some(first) => polynomial::<FUSED, TERMS>(first, x),
+        None => polynomial::<FUSED, _>(coefficients, x),
     }
 }

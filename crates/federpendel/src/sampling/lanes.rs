@@ -40,72 +40,69 @@ pub(crate) fn product_error<const FUSED: bool>(a: f64, b: f64, product: f64) -> 
     ((ah * bh - product) + ah * bl + al * bh) + al * bl
 }
 
-/// The polynomial Σ cₖ xᵏ, lowest coefficient first.
+/// The exact remainder of the rounded `quotient` = (`product` − remainder)/`divisor`.
 #[inline(always)]
-pub(crate) fn polynomial<const FUSED: bool>(coefficients: &[f64], x: &Lanes) -> Lanes {
-    let (last, rest) = coefficients.split_last().unwrap_or((&0.0, &[]));
-    let mut sum = [*last; LANES];
-    for c in rest.iter().rev() {
-        for i in 0..LANES {
-            sum[i] = mul_add::<FUSED>(sum[i], x[i], *c);
-        }
+pub(crate) fn quotient_error<const FUSED: bool>(quotient: f64, divisor: f64, product: f64) -> f64 {
+    if FUSED {
+        return quotient.mul_add(-divisor, product);
     }
-    sum
+    let back = quotient * divisor;
+    (product - back) - product_error::<FUSED>(quotient, divisor, back)
 }
 
-/// Two polynomials with the first `TERMS` of these coefficients at once.
+/// The polynomial Σ cₖ xᵏ, lowest coefficient first, as even part plus x times odd part: in each of the
+/// two every product waits for the one before, but neither waits for the other.
 #[inline(always)]
-pub(crate) fn two_polynomials<const FUSED: bool, const TERMS: usize>(
-    first: &[f64],
-    second: &[f64],
+pub(crate) fn polynomial<const FUSED: bool, const TERMS: usize>(
+    coefficients: &[f64; TERMS],
     x: &Lanes,
-) -> (Lanes, Lanes) {
-    let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
-    for n in (0..TERMS).rev() {
+) -> Lanes {
+    let square: Lanes = each(|i| x[i] * x[i]);
+    let (pairs, single) = coefficients.as_chunks::<2>();
+    let (mut even, mut odd) = ([single.first().copied().unwrap_or(0.0); LANES], [0.0; LANES]);
+    for [c, d] in pairs.iter().rev() {
         for i in 0..LANES {
-            a[i] = mul_add::<FUSED>(a[i], x[i], first[n]);
-            b[i] = mul_add::<FUSED>(b[i], x[i], second[n]);
+            even[i] = mul_add::<FUSED>(even[i], square[i], *c);
+            odd[i] = mul_add::<FUSED>(odd[i], square[i], *d);
         }
     }
-    (a, b)
+    each(|i| mul_add::<FUSED>(x[i], odd[i], even[i]))
 }
 
 /// sin x and cos x for |x| ≤ π/2 by their Taylor series, which end below rounding there.
 #[inline(always)]
 pub(crate) fn sin_cos<const FUSED: bool>(x: &Lanes) -> (Lanes, Lanes) {
     let square: Lanes = each(|i| x[i] * x[i]);
-    let tail = polynomial::<FUSED>(&SIN, &square);
-    let cos = polynomial::<FUSED>(&COS, &square);
-    let sin = each(|i| mul_add::<FUSED>(x[i] * square[i], tail[i], x[i]));
+    let (sin, cos) = (polynomial::<FUSED, _>(&SIN, &square), polynomial::<FUSED, _>(&COS, &square));
+    // The leading terms come last, so that only their rounding is left.
+    let sin = each(|i| mul_add::<FUSED>(x[i] * square[i], sin[i], x[i]));
+    let cos = each(|i| {
+        let rest = mul_add::<FUSED>(square[i], cos[i], -0.5);
+        mul_add::<FUSED>(square[i], rest, 1.0)
+    });
     (sin, cos)
 }
 
-/// e^x for |x| < 700.
+/// e^x by `TERMS` terms of its series: with [`FEW_TERMS`] for |x| ≤ [`FEW_TERMS_REACH`], with all of them for
+/// |x| ≤ 1.3. Unlike the usual reduction by powers of two, that is nothing but products and sums, which
+/// the compiler turns into vector instructions reliably.
 #[inline(always)]
-pub(crate) fn exp<const FUSED: bool>(x: &Lanes) -> Lanes {
-    // Adding 1.5·2⁵² rounds to an integer and leaves it in the low bits.
-    const ROUND: f64 = 6_755_399_441_055_744.0;
-    const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
-    const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-    let shifted: Lanes = each(|i| mul_add::<FUSED>(x[i], std::f64::consts::LOG2_E, ROUND));
-    let power: Lanes = each(|i| shifted[i] - ROUND);
-    let r: Lanes = each(|i| {
-        let r = mul_add::<FUSED>(power[i], -LN_2_HIGH, x[i]);
-        mul_add::<FUSED>(power[i], -LN_2_LOW, r)
-    });
-    let series = polynomial::<FUSED>(&EXP, &r);
-    each(|i| {
-        let scale = (shifted[i].to_bits() << 52).wrapping_add(1.0f64.to_bits());
-        series[i] * f64::from_bits(scale)
-    })
+pub(crate) fn exp<const FUSED: bool, const TERMS: usize>(x: &Lanes) -> Lanes {
+    let tail = polynomial::<FUSED, TERMS>(const { &factorials::<TERMS>(1, 1, 1.0) }, x);
+    each(|i| mul_add::<FUSED>(x[i], tail[i], 1.0))
 }
 
-/// Σ (−1)ᵏ x²ᵏ/(2k + 3)!, times −1: what follows x in the sine, over x³.
+/// Terms of [`exp`] beyond 1 for small numbers.
+pub(crate) const FEW_TERMS: usize = 10;
+/// Up to here they are enough.
+pub(crate) const FEW_TERMS_REACH: f64 = 0.1;
+/// Terms of [`exp`] beyond 1 for all numbers up to 1.3.
+pub(crate) const ALL_TERMS: usize = 22;
+
+/// What follows x in the series of the sine, over x³.
 const SIN: [f64; 11] = factorials(3, 2, -1.0);
-/// Σ (−1)ᵏ x²ᵏ/(2k)!.
-const COS: [f64; 13] = factorials(0, 2, 1.0);
-/// Σ xᵏ/k!.
-const EXP: [f64; 14] = factorials(0, 1, 1.0);
+/// What follows 1 − x²/2 in the series of the cosine, over x⁴.
+const COS: [f64; 11] = factorials(4, 2, 1.0);
 
 /// ±1/n! for n = `first`, `first` + `step`, …; with `step` 2 the signs alternate.
 const fn factorials<const N: usize>(first: usize, step: usize, sign: f64) -> [f64; N] {
@@ -131,18 +128,22 @@ mod tests {
     /// Against the system's library, both with and without fused operations.
     #[test]
     fn functions_agree_with_the_library() {
-        let check = |x: f64| {
+        let check_at = |x: f64| {
             let lanes = [x; LANES];
             for (sin, cos) in [sin_cos::<true>(&lanes), sin_cos::<false>(&lanes)] {
                 assert!((sin[0] - x.sin()).abs() <= 2.3e-16, "{x} {} {}", sin[0], x.sin());
                 assert!((cos[0] - x.cos()).abs() <= 2.3e-16, "{x} {} {}", cos[0], x.cos());
             }
-            let x = x * 20.0;
-            for e in [exp::<true>(&[x; LANES]), exp::<false>(&[x; LANES])] {
-                assert!((e[0] / x.exp() - 1.0).abs() <= 4.5e-16, "{x} {} {}", e[0], x.exp());
-            }
+            let check = |x: f64, e: Lanes, within: f64| {
+                assert!((e[0] - x.exp()).abs() <= within, "{x} {} {}", e[0], x.exp());
+            };
+            let (few, all) = (x / 1.57 * FEW_TERMS_REACH, x / 1.57 * 1.3);
+            check(few, exp::<true, FEW_TERMS>(&[few; LANES]), 2.3e-16);
+            check(few, exp::<false, FEW_TERMS>(&[few; LANES]), 2.3e-16);
+            check(all, exp::<true, ALL_TERMS>(&[all; LANES]), 4.5e-16 * all.exp().max(1.0));
+            check(all, exp::<false, ALL_TERMS>(&[all; LANES]), 4.5e-16 * all.exp().max(1.0));
         };
-        (-1570..=1570).for_each(|i| check(f64::from(i) * 1e-3));
+        (-1570..=1570).for_each(|i| check_at(f64::from(i) * 1e-3));
     }
 
     #[test]

@@ -6,6 +6,9 @@ use crate::parameter;
 use crate::sampling::grid::Grid;
 use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
 
+/// Far more than rounding can move a sample, in samples over the index of the sample.
+const CLEAR: f64 = 1e-12;
+
 /// The times of a record, s.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Times<'a> {
@@ -38,10 +41,16 @@ impl Times<'_> {
                 let rest = times[first + whole..].iter().take_while(|time| within(time)).count();
                 first + whole + rest
             }
-            Times::Even(&Grid { duration, last, .. }) => {
-                let estimate = (until / duration * last).ceil().clamp(0.0, last + 1.0);
-                let mut end = (estimate as usize).max(first + 1);
-                while end as f64 <= last && self.time(end) < until {
+            Times::Even(grid) => {
+                let place = until * grid.rate;
+                let estimate = place.ceil();
+                let mut end = (estimate.clamp(0.0, grid.last + 1.0) as usize).max(first + 1);
+                // Clear of a sample by more than any rounding: no need to look at the samples about it.
+                let doubt = CLEAR * (1.0 + place);
+                if (doubt..1.0 - doubt).contains(&(estimate - place)) {
+                    return end;
+                }
+                while end as f64 <= grid.last && self.time(end) < until {
                     end += 1;
                 }
                 while end > first + 1 && self.time(end - 1) >= until {

@@ -156,7 +156,15 @@ impl Taylor {
         let size = truncation * y[0].abs().max(y[1].abs());
         let reach = |n: usize, farthest: f64| {
             let ratio = size / (n as f64 * y[n].abs());
-            if ratio >= farthest { self.longest } else { ratio.powf(1.0 / n as f64) }
+            // Six digits of the root will do, unless the ratio is none in single precision.
+            let rough = ratio as f32;
+            if ratio >= farthest {
+                self.longest
+            } else if rough.is_normal() {
+                f64::from(rough.powf(1.0 / n as f32))
+            } else {
+                ratio.powf(1.0 / n as f64)
+            }
         };
         reach(DEGREE, self.longest_powers.0).min(reach(DEGREE - 1, self.longest_powers.1))
     }
