@@ -123,6 +123,24 @@ fn unknown_words() {
 }
 
 #[test]
+fn a_flag_is_no_value_of_the_flag_before_it() {
+    for flag in ["--mass", "--position", "--samples"] {
+        for next in ["--stiffness", "--", "-o", "-omotion.svg", "-h", "--help"] {
+            flags_say(&[flag, next, "20"], &[&format!("error: {flag} has no value")]);
+        }
+    }
+    flags_say(&["--method", "article-scheme", "--dt", "--details"], &["--dt has no value"]);
+    flags_say(&["--position", "-5 kg"], &["--position", "\"-5 kg\"", "a mass"]);
+    for position in ["-5cm", "-5 cm", "-.05", "-0,05 m"] {
+        let workplace = Workplace::new();
+        let finished =
+            workplace.run(&["simulate", "--position", position, "--format", "csv", "--mass", "1"]);
+        assert_eq!(finished.status, Some(0), "{}", finished.err);
+        assert!(finished.out.contains("\n0,-0.05,0,"), "{}", finished.out);
+    }
+}
+
+#[test]
 fn odd_files() {
     for (file, part) in [
         (&b""[..], "empty"),
