@@ -2,6 +2,7 @@
 
 mod experiment;
 mod quantity;
+mod syntax;
 
 pub use experiment::experiment_error;
 pub use quantity::{allowed, quantity_problem, time_step_value};

@@ -156,6 +156,34 @@ fn odd_files() {
 }
 
 #[test]
+fn files_that_are_not_toml() {
+    let quotes = "must stand in quotes: mass = \"300 g\"";
+    file_says(
+        &with("oscillator", "mass = 300 g"),
+        &["my.toml:2: mass = 300 g is not TOML", quotes],
+    );
+    file_says(
+        &with("friction", "coulomb = { kinetic = 0,02 }"),
+        &[":5: kinetic = 0,02 is", "\"0,02\""],
+    );
+    file_says(&with("oscillator", "mass = 2"), &["my.toml:3:", "mass stands twice"]);
+    file_says(&with("record", "duration \"3 s\""), &["my.toml:8:", "“=” and a value"]);
+    file_says("a = 1\na.b = 2", &["my.toml:2:", "(the reader says: cannot extend"]);
+    for (line, part) in [
+        ("mass = 300 g", ":2: mass = 300 g ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma"),
+        ("mass = 1", "mass steht zweimal da"),
+        ("mass = \"300 g", "das schließende Anführungszeichen"),
+        ("[oscillator", "fehlt die schließende Klammer"),
+        ("gravity =", "Hinter „=“ steht kein Wert"),
+    ] {
+        let file = with("oscillator", line);
+        let message = refused(2, &["--lang", "de"], Some(file.as_bytes()));
+        assert!(message.starts_with("Fehler: my.toml:") && message.contains(part), "{message}");
+        assert!(!message.contains("expected"), "{message}");
+    }
+}
+
+#[test]
 fn outputs() {
     flags_say(&["-o", "motion.txt"], &["motion.txt", ".csv, .json, .svg, .png"]);
     flags_say(&["-o", "motion"], &["motion", ".csv"]);

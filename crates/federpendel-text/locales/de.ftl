@@ -176,7 +176,21 @@ quantity-nameless-dimension = „{ $unit }“ ist die Einheit einer anderen Grö
 experiment-too-large = Die Datei ist größer als { $limit } Bytes; mehr wird nicht gelesen
 experiment-not-utf8 = Die Datei ist kein UTF-8-Text (Byte { $offset }); erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
 experiment-empty = Die Datei ist leer; erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
-experiment-syntax = Die Datei ist kein TOML: { $problem }
+toml-unquoted = { $key } = { $value } ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma muss in Anführungszeichen stehen: { $key } = "{ $value }"
+toml-unquoted-text = Das ist kein TOML: Ein Wert, der keine bloße Zahl ist, muss in Anführungszeichen stehen: mass = "300 g"
+toml-twice = Das ist kein TOML: { $key } steht zweimal da; erlaubt ist einmal
+toml-bad-text = Das ist kein TOML: Einem Text fehlt das schließende Anführungszeichen, oder er enthält unerlaubte Zeichen; richtig wäre: mass = "300 g"
+toml-unclosed-section = Das ist kein TOML: Dem Namen eines Abschnitts fehlt die schließende Klammer; richtig wäre: [oscillator]
+toml-unclosed-table = Das ist kein TOML: Die schließende geschweifte Klammer fehlt; richtig wäre: stokes = {"{"} damping = 0.2 {"}"}
+toml-unclosed-list = Das ist kein TOML: Die schließende Klammer einer Liste fehlt; ein Versuch braucht keine Listen
+toml-no-equals = Das ist kein TOML: Auf einen Schlüssel müssen „=“ und ein Wert folgen: mass = 0.5
+toml-no-value = Das ist kein TOML: Hinter „=“ steht kein Wert; richtig wäre: mass = 0.5
+toml-bad-key = Das ist kein TOML: Vor „=“ muss ein Schlüssel aus einfachen Buchstaben stehen: mass = 0.5
+toml-comma = Das ist kein TOML: Zwischen zwei Werten in geschweiften Klammern muss genau ein Komma stehen: {"{"} kinetic = 0.02, static = 0.03 {"}"}
+toml-bad-number = Das ist kein TOML: So darf eine Zahl in TOML nicht geschrieben sein; in Anführungszeichen ist mehr erlaubt: mass = "0,5 kg"
+toml-trailing = Das ist kein TOML: Hinter dem Ende eines Werts oder Abschnitts steht noch etwas; jeder Schlüssel beginnt eine eigene Zeile
+toml-too-deep = Dieses TOML lässt sich nicht lesen: zu viele Klammern oder Punkte ineinander
+toml-other = Das ist kein TOML (die Leseroutine sagt auf Englisch: { $problem })
 experiment-unknown-key = { $name } ist unbekannt; hier erlaubt: { $allowed }
 experiment-unknown-key-near = { $name } ist unbekannt; war { $nearest } gemeint? Hier erlaubt: { $allowed }
 experiment-allowed-keys = ein Abschnitt mit { $keys }

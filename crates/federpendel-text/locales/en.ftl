@@ -176,7 +176,21 @@ quantity-nameless-dimension = “{ $unit }” is a unit of another kind
 experiment-too-large = The file is larger than { $limit } bytes, the most that is read
 experiment-not-utf8 = The file is not UTF-8 text (byte { $offset }); allowed is a TOML file with the sections { $sections }
 experiment-empty = The file is empty; allowed is a TOML file with the sections { $sections }
-experiment-syntax = The file is not TOML: { $problem }
+toml-unquoted = { $key } = { $value } is not TOML; a number with a unit or a decimal comma must stand in quotes: { $key } = "{ $value }"
+toml-unquoted-text = This is not TOML: a value that is no plain number must stand in quotes: mass = "300 g"
+toml-twice = This is not TOML: { $key } stands twice; allowed is once
+toml-bad-text = This is not TOML: a text lacks its closing quote or holds signs that are not allowed; written rightly: mass = "300 g"
+toml-unclosed-section = This is not TOML: the name of a section lacks its closing bracket; written rightly: [oscillator]
+toml-unclosed-table = This is not TOML: the closing brace is missing; written rightly: stokes = {"{"} damping = 0.2 {"}"}
+toml-unclosed-list = This is not TOML: the closing bracket of a list is missing; an experiment needs no lists
+toml-no-equals = This is not TOML: “=” and a value must follow a key: mass = 0.5
+toml-no-value = This is not TOML: no value stands behind “=”; written rightly: mass = 0.5
+toml-bad-key = This is not TOML: a key of plain letters must stand before “=”: mass = 0.5
+toml-comma = This is not TOML: one comma must stand between two values in braces: {"{"} kinetic = 0.02, static = 0.03 {"}"}
+toml-bad-number = This is not TOML: the number is not written as TOML allows; in quotes more is allowed: mass = "0,5 kg"
+toml-trailing = This is not TOML: something stands behind the end of a value or a section; every key begins a line of its own
+toml-too-deep = This is not TOML that can be read: too many brackets or dots within one another
+toml-other = This is not TOML (the reader says: { $problem })
 experiment-unknown-key = { $name } is unknown; allowed here: { $allowed }
 experiment-unknown-key-near = { $name } is unknown; did you mean { $nearest }? Allowed here: { $allowed }
 experiment-allowed-keys = a section with { $keys }
