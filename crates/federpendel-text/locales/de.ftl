@@ -110,6 +110,8 @@ regime-overdamped = stark gedämpft (Kriechfall)
 kind-closed-form = exakt, in geschlossener Form
 kind-first-integral = exakte Umkehrpunkte, aus einem ersten Integral
 kind-series = Reihe, bis auf Rundung
+motion-exact = exakte Bewegung
+motion-to-rounding = Bewegung bis auf Rundung
 
 ### Wie die Bewegung endet
 
@@ -132,12 +134,16 @@ plot-axis = { $name } { $symbol } in { $unit }
 plot-axis-pure = { $name } { $symbol }
 plot-time = Zeit
 plot-position = Auslenkung
+plot-exact-motion = Exakte Bewegung
+plot-motion-to-rounding = Bewegung bis auf Rundung
 plot-envelope = Einhüllende
 plot-turning-points = Umkehrpunkte
 plot-rest = Ruhe: { $time }, { $position }
 plot-sticking-band = Haftbereich ±{ $offset }
 plot-motion-title = Federpendel, { $mix }
 plot-motion-description = { $title }: Auslenkung über { $duration }, ab { $start } beim Loslassen, zwischen { $lowest } und { $highest }. Die Masse { $outcome }.
+plot-comparison-description = Gestrichelt daneben: { $name }, zwischen { $lowest } und { $highest }.
+
 ### Größen, wie man sie schreibt
 
 dimension-mass = eine Masse

@@ -110,6 +110,8 @@ regime-overdamped = overdamped
 kind-closed-form = exact, in closed form
 kind-first-integral = exact turning points, from a first integral
 kind-series = series, to rounding
+motion-exact = exact motion
+motion-to-rounding = motion to rounding
 
 ### How a motion ends
 
@@ -132,12 +134,16 @@ plot-axis = { $name } { $symbol } in { $unit }
 plot-axis-pure = { $name } { $symbol }
 plot-time = Time
 plot-position = Displacement
+plot-exact-motion = Exact motion
+plot-motion-to-rounding = Motion to rounding
 plot-envelope = Envelope
 plot-turning-points = Turning points
 plot-rest = Rest: { $time }, { $position }
 plot-sticking-band = Sticking band ±{ $offset }
 plot-motion-title = Mass on a spring, { $mix }
 plot-motion-description = { $title }: displacement over { $duration }, from { $start } at the release, between { $lowest } and { $highest }. The mass { $outcome }.
+plot-comparison-description = Dashed beside it: { $name }, between { $lowest } and { $highest }.
+
 ### Quantities as they are written
 
 dimension-mass = a mass

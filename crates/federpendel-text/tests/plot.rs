@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use federpendel::{Mix, Outcome, Rest, TurningPoint};
+use federpendel::{Kind, Mix, Outcome, Rest, TurningPoint};
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
 use federpendel_text::plot::{Axis, MotionData, Plot, Role, Style};
 use federpendel_text::{Catalogue, Language};
@@ -75,6 +75,41 @@ fn a_motion_is_described_with_everything_that_is_in_it() {
          −9,546 cm und 10 cm. Die Masse kommt nach 10 Halbschwingungen zur Ruhe, bei 4,545 s, \
          5,455 cm von der Mitte."
     );
+}
+
+#[test]
+fn a_curve_that_follows_the_motion_is_seen_on_it() {
+    let record = record(4, 5.0, 500);
+    let catalogue = Catalogue::new(Language::German);
+    for (kind, name) in [
+        (Kind::ClosedForm, "Exakte Bewegung"),
+        (Kind::FirstIntegral, "Exakte Bewegung"),
+        (Kind::Series, "Bewegung bis auf Rundung"),
+    ] {
+        let mut plot = plot(Language::German, &record);
+        let curve = record.times.iter().copied().zip(record.positions.iter().copied());
+        plot.compare(&catalogue, kind, "article-scheme", curve);
+        assert_eq!((&*plot.series[0].name, &*plot.series[1].name), (name, "article-scheme"));
+        assert!(plot.description.contains("article-scheme, zwischen −9,005 cm"), "{}", plot.description);
+        // Without colour, and where every point lies on the motion: both signs are there.
+        let text = terminal(&plot, 80, 24, false);
+        let beads = text.matches('×').count();
+        assert!((40..200).contains(&beads), "{text}");
+        assert!(text.contains("× × article-scheme"), "{text}");
+        for (background, below, above) in
+            [(Background::Light, "#0072b2", "#00402b"), (Background::Dark, "#56b4e9", "#e9ff9c")]
+        {
+            let text = svg(&plot, Size::default(), background);
+            let line = |colour: &str| {
+                let is_it = |line: &&str| line.contains(colour) && line.matches(' ').count() > 100;
+                let at = text.split('<').position(|line| is_it(&line)).expect("a curve");
+                (at, text.split('<').nth(at).unwrap_or_default().to_owned())
+            };
+            let ((lower, solid), (upper, dashed)) = (line(below), line(above));
+            assert!(lower < upper, "the comparison lies above the motion");
+            assert!(!solid.contains("dasharray") && dashed.contains("dasharray"), "{dashed}");
+        }
+    }
 }
 
 #[test]

@@ -45,6 +45,11 @@ fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
         match series.style {
             Style::Line { dash, .. } => {
                 let points = thin(&series.points, x, width as usize);
+                if let Some(bead) = bead(series) {
+                    let dots: Vec<_> = points.iter().copied().filter_map(place).collect();
+                    canvas.beads(&dots, bead, series.role);
+                    continue;
+                }
                 for pair in points.windows(2) {
                     if let (Some(from), Some(to)) = (place(pair[0]), place(pair[1])) {
                         canvas.line(from, to, dash, series.role);
@@ -161,8 +166,9 @@ fn legend(plot: &Plot, columns: usize, room: usize, colour: bool) -> Vec<String>
     let listed = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
     let series = plot.series.iter().filter(listed).map(|series| {
         let sample = match series.style {
+            _ if bead(series).is_some() => bead(series).map_or_else(String::new, beads),
             Style::Line { dash: Dash::Solid, .. } => "───".to_owned(),
-            Style::Line { dash: Dash::Dashed, .. } => "╶╴╶╴".to_owned(),
+            Style::Line { dash: Dash::Dashed | Dash::LongDashed, .. } => "╶╴╶╴".to_owned(),
             Style::Line { dash: Dash::Dotted, .. } => "····".to_owned(),
             Style::Markers(marker) => symbol(marker).to_string(),
         };
@@ -188,6 +194,20 @@ fn legend(plot: &Plot, columns: usize, room: usize, colour: bool) -> Vec<String>
         }
     }
     lines
+}
+
+/// The sign of which a broken line held beside a motion is made.
+fn bead(series: &Series) -> Option<char> {
+    match (series.role, series.style) {
+        (Role::Comparison(n), Style::Line { dash: Dash::LongDashed, .. }) => {
+            Some(['×', '+', 'o'][n % 3])
+        }
+        _ => None,
+    }
+}
+
+fn beads(sign: char) -> String {
+    [sign.to_string(), sign.to_string()].join(" ")
 }
 
 fn symbol(marker: Marker) -> char {
