@@ -249,9 +249,7 @@ cli-examples =
       federpendel simulate mein.toml -o bewegung.csv -o bewegung.svg
       federpendel simulate --help
 cli-simulate-examples =
-    Ohne Dauer endet die Aufzeichnung kurz nach dem Stillstand der Masse, oder nach 12 Perioden,
-    wenn sie später als nach 200 Perioden oder nie zur Ruhe kommt; wo sie nur kriecht, nach zehn
-    Zeitkonstanten.
+    Ohne Dauer endet die Aufzeichnung kurz nach dem Stillstand der Masse, oder nach 12 Perioden, wenn sie später als nach 200 Perioden oder nie zur Ruhe kommt; wo sie nur kriecht, nach zehn Zeitkonstanten.
 
     Beispiele:
       federpendel simulate
@@ -312,7 +310,7 @@ summary-heat-coulomb = Wärme der Coulombschen Reibung
 summary-heat-newton = Wärme der Newtonschen Reibung
 summary-error-bound = Fehler der Auslenkung unter
 summary-margin = Ruhelage im Haftbereich
-summary-margin-value = um { $margin } % der halben Breite
+summary-margin-value = { $distance } vom Rand entfernt, { $margin } % der Verschiebung f
 derived-damping-ratio = Dämpfungsgrad
 derived-quality-factor = Gütefaktor
 derived-logarithmic-decrement = logarithmisches Dekrement
@@ -328,3 +326,23 @@ cli-not-found = keine solche Datei, kein solcher Ordner
 cli-permission-denied = keine Berechtigung
 cli-is-a-folder = das ist ein Ordner, keine Datei
 cli-storage-full = kein Platz mehr auf dem Datenträger
+remark-equation = Gleichung ({ $number })
+remark-scheme = Das Verfahren
+remark-sticks-at-once = { $method } kennt kein Haften und lässt die Masse schwingen, die in Wirklichkeit dort bleibt, wo sie losgelassen wird.
+remark-no-sticking = { $method } kennt kein Haften und läuft weiter, wo die Masse schon zur Ruhe gekommen ist.
+remark-wrong-decay = { $method } lässt die Amplitude mit einer um den Faktor C falschen Rate fallen und läuft weiter, wenn die Masse schon haftet.
+remark-grows = { $method } gilt nur für x0 > 0: Hier, bei x0 < 0, wächst ihre Amplitude, statt zu fallen.
+remark-wrong-phase = { $method } verliert bei v0 < 0, wie hier, den Quadranten der Phase und beginnt auf der falschen Seite.
+remark-wrong-phase-and-decay = { $method } verliert bei v0 < 0, wie hier, den Quadranten der Phase, und ihr Abklingen ist um den Faktor C falsch.
+remark-only-at-turning-points = { $method } trifft die exakte Bewegung nur in den Umkehrpunkten und kennt kein Haften.
+remark-misses-turning-points = { $method } verfehlt bei v0 ≠ 0, wie hier, selbst die Umkehrpunkte und kennt kein Haften.
+remark-chatters = { $method } kennt keine Haftreibung: Es kommt nie zur Ruhe, sondern rattert und kriecht.
+remark-first-order = { $method } ist wegen des rückwärtigen Differenzenquotienten von erster Ordnung: Der halbe Schritt halbiert den Fehler.
+remark-second-order = { $method } ist hier, ohne Reibung, von zweiter Ordnung: Der halbe Schritt lässt ein Viertel des Fehlers.
+step-unstable = ein Zeitschritt von { $step } ist zu lang: Das Verfahren ist damit instabil und läuft der Bewegung davon. Stabil ist es unter { $longest }; sicher ist --dt "{ $proposed }"
+step-coarse = ein Zeitschritt von { $step } ist für diese Aufzeichnung zu lang: Der Fehler des Verfahrens ist größer geworden als die Bewegung. Besser wäre --dt "{ $proposed }" oder eine kürzere Aufzeichnung
+cli-warning = Warnung
+summary-energy-values = { $initial } beim Loslassen; am Ende der Aufzeichnung { $left } ({ $motion }), { $other } ({ $method })
+summary-heading-of = { $heading } ({ $whose })
+summary-margin-tie = auf der Kante, im Rahmen der Rundung
+summary-margin-distance = { $distance } vom Rand entfernt

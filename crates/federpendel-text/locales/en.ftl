@@ -249,8 +249,7 @@ cli-examples =
       federpendel simulate my.toml -o motion.csv -o motion.svg
       federpendel simulate --help
 cli-simulate-examples =
-    Without duration the record ends shortly after the mass comes to rest, or after 12 periods
-    if it rests later than 200 periods or never; where it only creeps, after ten time constants.
+    Without duration the record ends shortly after the mass comes to rest, or after 12 periods if it rests later than 200 periods or never; where it only creeps, after ten time constants.
 
     Examples:
       federpendel simulate
@@ -311,7 +310,7 @@ summary-heat-coulomb = heat of Coulomb friction
 summary-heat-newton = heat of Newton friction
 summary-error-bound = error of positions below
 summary-margin = rest inside the sticking band
-summary-margin-value = by { $margin } % of its half width
+summary-margin-value = { $distance } from its edge, { $margin } % of the offset f
 derived-damping-ratio = damping ratio
 derived-quality-factor = quality factor
 derived-logarithmic-decrement = logarithmic decrement
@@ -327,3 +326,23 @@ cli-not-found = no such file or folder
 cli-permission-denied = permission denied
 cli-is-a-folder = this is a folder, not a file
 cli-storage-full = no space left on the device
+remark-equation = Equation ({ $number })
+remark-scheme = The scheme
+remark-sticks-at-once = { $method } knows no sticking and lets the mass swing, which in fact stays where it is released.
+remark-no-sticking = { $method } knows no sticking and goes on where the mass has come to rest.
+remark-wrong-decay = { $method } lets the amplitude fall at a rate that is wrong by the factor C, and goes on after the mass sticks.
+remark-grows = { $method } holds for x0 > 0 only: here, with x0 < 0, its amplitude grows where it should fall.
+remark-wrong-phase = { $method } loses the quadrant of the phase for v0 < 0, as here, and starts on the wrong side.
+remark-wrong-phase-and-decay = { $method } loses the quadrant of the phase for v0 < 0, as here, and its decay is wrong by the factor C.
+remark-only-at-turning-points = { $method } meets the exact motion only at its turning points and knows no sticking.
+remark-misses-turning-points = { $method } misses even the turning points for v0 ≠ 0, as here, and knows no sticking.
+remark-chatters = { $method } has no static friction: it never rests but chatters and creeps.
+remark-first-order = { $method } is of first order, because of its backward difference: half the step halves its error.
+remark-second-order = { $method } is of second order, since there is no friction: half the step leaves a quarter of its error.
+step-unstable = a time step of { $step } is too long: with it the scheme is unstable and runs away from the motion. It is stable below { $longest }; safe is --dt "{ $proposed }"
+step-coarse = a time step of { $step } is too long for this record: the error of the scheme has become larger than the motion. Try --dt "{ $proposed }" or a shorter record
+cli-warning = warning
+summary-energy-values = { $initial } at release; at the end of the record { $left } ({ $motion }), { $other } ({ $method })
+summary-heading-of = { $heading } ({ $whose })
+summary-margin-tie = on the edge, within rounding
+summary-margin-distance = { $distance } from its edge

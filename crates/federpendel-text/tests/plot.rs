@@ -90,7 +90,11 @@ fn a_curve_that_follows_the_motion_is_seen_on_it() {
         let curve = record.times.iter().copied().zip(record.positions.iter().copied());
         plot.compare(&catalogue, kind, "article-scheme", curve);
         assert_eq!((&*plot.series[0].name, &*plot.series[1].name), (name, "article-scheme"));
-        assert!(plot.description.contains("article-scheme, zwischen −9,005 cm"), "{}", plot.description);
+        assert!(
+            plot.description.contains("article-scheme, zwischen −9,005 cm"),
+            "{}",
+            plot.description
+        );
         // Without colour, and where every point lies on the motion: both signs are there.
         let text = terminal(&plot, 80, 24, false);
         let beads = text.matches('×').count();
@@ -177,7 +181,7 @@ fn png_has_its_size_and_is_not_blank() {
 #[test]
 fn terminal_plots_have_the_width_asked_for_and_no_escapes_without_colour() {
     let plot = plot(Language::German, &record(10, 5.0, 500));
-    for columns in [60, 80, 100, 120, 200] {
+    for columns in [40, 60, 80, 100, 120, 200] {
         let text = terminal(&plot, columns, 24, false);
         let widths: Vec<_> = text.lines().map(|line| line.chars().count()).collect();
         assert_eq!(widths.iter().max(), Some(&columns), "{text}");

@@ -9,7 +9,7 @@ use crate::plot::{Band, Dash, Marker, Plot, Role, Series, Span, Style};
 /// Fewest columns and rows in which there is something to see.
 const SMALLEST: (usize, usize) = (24, 8);
 
-/// `plot` as lines of text, at most `columns` wide (from 60 on; the title keeps its length) and about
+/// `plot` as lines of text, at most `columns` wide (from 40 on, but for a long word in the title) and about
 /// `rows` high (the legend may need more); with `colour`, in the colours of the terminal.
 pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> String {
     let (columns, rows) = (columns.max(SMALLEST.0), rows.max(SMALLEST.1));
@@ -23,12 +23,25 @@ pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Strin
     draw(plot, &mut canvas, &x, &y, room);
     let x_ticks = x_ticks(&x, canvas.columns, plot);
 
-    let mut lines = vec![centred(&plot.title, columns), plot.y.label.clone()];
+    let mut lines = title(&plot.title, columns);
+    lines.push(plot.y.label.clone());
     lines.extend(body(&canvas, &y, &y_ticks, margin, colour));
     lines.extend(foot(&x, &x_ticks, margin, canvas.columns));
     lines.push(flush_right(&plot.x.label, columns));
     lines.extend(legend(plot, columns, room, colour));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// The title, in as many lines as it needs.
+fn title(title: &str, columns: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in title.split(' ') {
+        match lines.last_mut().filter(|line| width(line) + 1 + width(word) <= columns) {
+            Some(line) => *line = format!("{line} {word}"),
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| centred(line, columns)).collect()
 }
 
 fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
