@@ -2,6 +2,7 @@
 
 mod command;
 mod generate;
+mod missing;
 mod refuse;
 
 pub(crate) use generate::{completions, man};
@@ -76,7 +77,12 @@ pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String
 /// # Errors
 /// One sentence that names what is wrong and what is allowed.
 pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Request, Failure> {
-    let matches = command::command(catalogue).try_get_matches_from(arguments);
+    let command = command::command(catalogue);
+    if let Some(flag) = missing::value(arguments, &command) {
+        let variables = [("argument", flag.into())];
+        return Err(Failure::Input(catalogue.format("cli-missing-value", &variables)));
+    }
+    let matches = command.try_get_matches_from(arguments);
     let matches = match matches {
         Ok(matches) => matches,
         Err(error) => {

@@ -5,11 +5,13 @@ mod error;
 mod field;
 mod file;
 mod resolve;
+mod syntax;
 
 pub use draft::{Draft, Given, Origin};
 pub use error::{Allowed, Error};
 pub use field::Field;
 pub use file::{LARGEST_FILE, parse};
+pub use syntax::Syntax;
 
 use federpendel::{NormalForce, Oscillator, State};
 

@@ -2,11 +2,15 @@
 
 mod duration;
 mod method;
+mod remark;
+mod stability;
 mod turning;
 
 pub(crate) use duration::default_duration;
 pub use method::Method;
 pub(crate) use method::{Other, Source};
+pub(crate) use remark::Remark;
+pub(crate) use stability::TooLong;
 pub(crate) use turning::MOST_POINTS;
 
 use federpendel::{Error, Ledger, Motion, Outcome, Sample, motion};
@@ -73,6 +77,14 @@ impl Record {
         pairs
             .map(|(other, exact)| (exact.time, (other.position - exact.position).abs()))
             .max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The method's own kinetic and potential energy at the end of the record, J.
+    pub(crate) fn other_energy(&self) -> Option<(f64, f64)> {
+        let oscillator = self.motion.oscillator();
+        let last = self.other.as_ref()?.samples.last();
+        let end = last.map_or(self.motion.release(), Sample::state);
+        Some((oscillator.kinetic_energy(end), oscillator.potential_energy(end)))
     }
 
     /// The energies of the exact motion at the end of the record.

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use federpendel::Error;
 use federpendel_text::Catalogue;
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 
@@ -12,8 +13,8 @@ use crate::experiment::{self, BUILT_IN, Experiment, LARGEST_FILE};
 use crate::failure::Failure;
 use crate::output::{self, Targets};
 use crate::progress::Progress;
-use crate::record::{BYTES_PER_SAMPLE, Method, Record};
-use crate::words::{experiment_error, time_step_value};
+use crate::record::{BYTES_PER_SAMPLE, Method, Record, TooLong};
+use crate::words::{experiment_error, time_step_value, too_long_step};
 
 /// Memory taken to be free on a system that does not say, bytes.
 const UNKNOWN_MEMORY: u64 = 1 << 30;
@@ -23,6 +24,10 @@ pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Fai
     let time_step = time_step(arguments, catalogue)?;
     let experiment = experiment(arguments, catalogue)?;
     let record = compute(experiment, arguments.method, time_step, catalogue)?;
+    if let Some(problem) = record.too_long_step() {
+        let label = console::style(catalogue.text("cli-warning")).for_stderr().yellow().bold();
+        eprintln!("{label}: {}", too_long_step(catalogue, problem));
+    }
     output::write(&record, &targets, catalogue)
 }
 
@@ -88,6 +93,15 @@ fn compute(
     let passes = if method == Method::Exact { 1 } else { 2 };
     let steps = passes * experiment.samples as u64;
     let progress = Progress::computing(catalogue, steps);
-    Record::compute(experiment, method, time_step, &progress)
-        .map_err(|error| Failure::core(catalogue, &error))
+    let (oscillator, release) = (experiment.oscillator, experiment.release);
+    Record::compute(experiment, method, time_step, &progress).map_err(|error| {
+        let unstable = match error {
+            Error::Diverged { time_step, .. } => TooLong::unstable(&oscillator, release, time_step),
+            _ => None,
+        };
+        match unstable {
+            Some(problem) => Failure::Input(too_long_step(catalogue, problem)),
+            None => Failure::core(catalogue, &error),
+        }
+    })
 }

@@ -2,9 +2,14 @@
 
 mod experiment;
 mod quantity;
+mod remark;
+mod syntax;
+mod too_long;
 
 pub use experiment::experiment_error;
 pub use quantity::{allowed, quantity_problem, time_step_value};
+pub(crate) use remark::remark;
+pub(crate) use too_long::too_long_step;
 
 /// Longest part of what a user wrote that a message repeats, characters.
 const LONGEST_EXCERPT: usize = 60;

@@ -123,6 +123,24 @@ fn unknown_words() {
 }
 
 #[test]
+fn a_flag_is_no_value_of_the_flag_before_it() {
+    for flag in ["--mass", "--position", "--samples"] {
+        for next in ["--stiffness", "--", "-o", "-omotion.svg", "-h", "--help"] {
+            flags_say(&[flag, next, "20"], &[&format!("error: {flag} has no value")]);
+        }
+    }
+    flags_say(&["--method", "article-scheme", "--dt", "--details"], &["--dt has no value"]);
+    flags_say(&["--position", "-5 kg"], &["--position", "\"-5 kg\"", "a mass"]);
+    for position in ["-5cm", "-5 cm", "-.05", "-0,05 m"] {
+        let workplace = Workplace::new();
+        let finished =
+            workplace.run(&["simulate", "--position", position, "--format", "csv", "--mass", "1"]);
+        assert_eq!(finished.status, Some(0), "{}", finished.err);
+        assert!(finished.out.contains("\n0,-0.05,0,"), "{}", finished.out);
+    }
+}
+
+#[test]
 fn odd_files() {
     for (file, part) in [
         (&b""[..], "empty"),
@@ -134,6 +152,34 @@ fn odd_files() {
     ] {
         let message = refused(2, &[], Some(file));
         assert!(message.contains(part), "{message}");
+    }
+}
+
+#[test]
+fn files_that_are_not_toml() {
+    let quotes = "must stand in quotes: mass = \"300 g\"";
+    file_says(
+        &with("oscillator", "mass = 300 g"),
+        &["my.toml:2: mass = 300 g is not TOML", quotes],
+    );
+    file_says(
+        &with("friction", "coulomb = { kinetic = 0,02 }"),
+        &[":5: kinetic = 0,02 is", "\"0,02\""],
+    );
+    file_says(&with("oscillator", "mass = 2"), &["my.toml:3:", "mass stands twice"]);
+    file_says(&with("record", "duration \"3 s\""), &["my.toml:8:", "“=” and a value"]);
+    file_says("a = 1\na.b = 2", &["my.toml:2:", "(the reader says: cannot extend"]);
+    for (line, part) in [
+        ("mass = 300 g", ":2: mass = 300 g ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma"),
+        ("mass = 1", "mass steht zweimal da"),
+        ("mass = \"300 g", "das schließende Anführungszeichen"),
+        ("[oscillator", "fehlt die schließende Klammer"),
+        ("gravity =", "Hinter „=“ steht kein Wert"),
+    ] {
+        let file = with("oscillator", line);
+        let message = refused(2, &["--lang", "de"], Some(file.as_bytes()));
+        assert!(message.starts_with("Fehler: my.toml:") && message.contains(part), "{message}");
+        assert!(!message.contains("expected"), "{message}");
     }
 }
 

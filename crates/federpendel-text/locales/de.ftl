@@ -110,6 +110,8 @@ regime-overdamped = stark gedämpft (Kriechfall)
 kind-closed-form = exakt, in geschlossener Form
 kind-first-integral = exakte Umkehrpunkte, aus einem ersten Integral
 kind-series = Reihe, bis auf Rundung
+motion-exact = exakte Bewegung
+motion-to-rounding = Bewegung bis auf Rundung
 
 ### Wie die Bewegung endet
 
@@ -132,12 +134,16 @@ plot-axis = { $name } { $symbol } in { $unit }
 plot-axis-pure = { $name } { $symbol }
 plot-time = Zeit
 plot-position = Auslenkung
+plot-exact-motion = Exakte Bewegung
+plot-motion-to-rounding = Bewegung bis auf Rundung
 plot-envelope = Einhüllende
 plot-turning-points = Umkehrpunkte
 plot-rest = Ruhe: { $time }, { $position }
 plot-sticking-band = Haftbereich ±{ $offset }
 plot-motion-title = Federpendel, { $mix }
 plot-motion-description = { $title }: Auslenkung über { $duration }, ab { $start } beim Loslassen, zwischen { $lowest } und { $highest }. Die Masse { $outcome }.
+plot-comparison-description = Gestrichelt daneben: { $name }, zwischen { $lowest } und { $highest }.
+
 ### Größen, wie man sie schreibt
 
 dimension-mass = eine Masse
@@ -176,7 +182,21 @@ quantity-nameless-dimension = „{ $unit }“ ist die Einheit einer anderen Grö
 experiment-too-large = Die Datei ist größer als { $limit } Bytes; mehr wird nicht gelesen
 experiment-not-utf8 = Die Datei ist kein UTF-8-Text (Byte { $offset }); erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
 experiment-empty = Die Datei ist leer; erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
-experiment-syntax = Die Datei ist kein TOML: { $problem }
+toml-unquoted = { $key } = { $value } ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma muss in Anführungszeichen stehen: { $key } = "{ $value }"
+toml-unquoted-text = Das ist kein TOML: Ein Wert, der keine bloße Zahl ist, muss in Anführungszeichen stehen: mass = "300 g"
+toml-twice = Das ist kein TOML: { $key } steht zweimal da; erlaubt ist einmal
+toml-bad-text = Das ist kein TOML: Einem Text fehlt das schließende Anführungszeichen, oder er enthält unerlaubte Zeichen; richtig wäre: mass = "300 g"
+toml-unclosed-section = Das ist kein TOML: Dem Namen eines Abschnitts fehlt die schließende Klammer; richtig wäre: [oscillator]
+toml-unclosed-table = Das ist kein TOML: Die schließende geschweifte Klammer fehlt; richtig wäre: stokes = {"{"} damping = 0.2 {"}"}
+toml-unclosed-list = Das ist kein TOML: Die schließende Klammer einer Liste fehlt; ein Versuch braucht keine Listen
+toml-no-equals = Das ist kein TOML: Auf einen Schlüssel müssen „=“ und ein Wert folgen: mass = 0.5
+toml-no-value = Das ist kein TOML: Hinter „=“ steht kein Wert; richtig wäre: mass = 0.5
+toml-bad-key = Das ist kein TOML: Vor „=“ muss ein Schlüssel aus einfachen Buchstaben stehen: mass = 0.5
+toml-comma = Das ist kein TOML: Zwischen zwei Werten in geschweiften Klammern muss genau ein Komma stehen: {"{"} kinetic = 0.02, static = 0.03 {"}"}
+toml-bad-number = Das ist kein TOML: So darf eine Zahl in TOML nicht geschrieben sein; in Anführungszeichen ist mehr erlaubt: mass = "0,5 kg"
+toml-trailing = Das ist kein TOML: Hinter dem Ende eines Werts oder Abschnitts steht noch etwas; jeder Schlüssel beginnt eine eigene Zeile
+toml-too-deep = Dieses TOML lässt sich nicht lesen: zu viele Klammern oder Punkte ineinander
+toml-other = Das ist kein TOML (die Leseroutine sagt auf Englisch: { $problem })
 experiment-unknown-key = { $name } ist unbekannt; hier erlaubt: { $allowed }
 experiment-unknown-key-near = { $name } ist unbekannt; war { $nearest } gemeint? Hier erlaubt: { $allowed }
 experiment-allowed-keys = ein Abschnitt mit { $keys }
@@ -229,9 +249,7 @@ cli-examples =
       federpendel simulate mein.toml -o bewegung.csv -o bewegung.svg
       federpendel simulate --help
 cli-simulate-examples =
-    Ohne Dauer endet die Aufzeichnung kurz nach dem Stillstand der Masse, oder nach 12 Perioden,
-    wenn sie später als nach 200 Perioden oder nie zur Ruhe kommt; wo sie nur kriecht, nach zehn
-    Zeitkonstanten.
+    Ohne Dauer endet die Aufzeichnung kurz nach dem Stillstand der Masse, oder nach 12 Perioden, wenn sie später als nach 200 Perioden oder nie zur Ruhe kommt; wo sie nur kriecht, nach zehn Zeitkonstanten.
 
     Beispiele:
       federpendel simulate
@@ -292,7 +310,7 @@ summary-heat-coulomb = Wärme der Coulombschen Reibung
 summary-heat-newton = Wärme der Newtonschen Reibung
 summary-error-bound = Fehler der Auslenkung unter
 summary-margin = Ruhelage im Haftbereich
-summary-margin-value = um { $margin } % der halben Breite
+summary-margin-value = { $distance } vom Rand entfernt, { $margin } % der Verschiebung f
 derived-damping-ratio = Dämpfungsgrad
 derived-quality-factor = Gütefaktor
 derived-logarithmic-decrement = logarithmisches Dekrement
@@ -308,3 +326,23 @@ cli-not-found = keine solche Datei, kein solcher Ordner
 cli-permission-denied = keine Berechtigung
 cli-is-a-folder = das ist ein Ordner, keine Datei
 cli-storage-full = kein Platz mehr auf dem Datenträger
+remark-equation = Gleichung ({ $number })
+remark-scheme = Das Verfahren
+remark-sticks-at-once = { $method } kennt kein Haften und lässt die Masse schwingen, die in Wirklichkeit dort bleibt, wo sie losgelassen wird.
+remark-no-sticking = { $method } kennt kein Haften und läuft weiter, wo die Masse schon zur Ruhe gekommen ist.
+remark-wrong-decay = { $method } lässt die Amplitude mit einer um den Faktor C falschen Rate fallen und läuft weiter, wenn die Masse schon haftet.
+remark-grows = { $method } gilt nur für x0 > 0: Hier, bei x0 < 0, wächst ihre Amplitude, statt zu fallen.
+remark-wrong-phase = { $method } verliert bei v0 < 0, wie hier, den Quadranten der Phase und beginnt auf der falschen Seite.
+remark-wrong-phase-and-decay = { $method } verliert bei v0 < 0, wie hier, den Quadranten der Phase, und ihr Abklingen ist um den Faktor C falsch.
+remark-only-at-turning-points = { $method } trifft die exakte Bewegung nur in den Umkehrpunkten und kennt kein Haften.
+remark-misses-turning-points = { $method } verfehlt bei v0 ≠ 0, wie hier, selbst die Umkehrpunkte und kennt kein Haften.
+remark-chatters = { $method } kennt keine Haftreibung: Es kommt nie zur Ruhe, sondern rattert und kriecht.
+remark-first-order = { $method } ist wegen des rückwärtigen Differenzenquotienten von erster Ordnung: Der halbe Schritt halbiert den Fehler.
+remark-second-order = { $method } ist hier, ohne Reibung, von zweiter Ordnung: Der halbe Schritt lässt ein Viertel des Fehlers.
+step-unstable = ein Zeitschritt von { $step } ist zu lang: Das Verfahren ist damit instabil und läuft der Bewegung davon. Stabil ist es unter { $longest }; sicher ist --dt "{ $proposed }"
+step-coarse = ein Zeitschritt von { $step } ist für diese Aufzeichnung zu lang: Der Fehler des Verfahrens ist größer geworden als die Bewegung. Besser wäre --dt "{ $proposed }" oder eine kürzere Aufzeichnung
+cli-warning = Warnung
+summary-energy-values = { $initial } beim Loslassen; am Ende der Aufzeichnung { $left } ({ $motion }), { $other } ({ $method })
+summary-heading-of = { $heading } ({ $whose })
+summary-margin-tie = auf der Kante, im Rahmen der Rundung
+summary-margin-distance = { $distance } vom Rand entfernt

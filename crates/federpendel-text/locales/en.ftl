@@ -110,6 +110,8 @@ regime-overdamped = overdamped
 kind-closed-form = exact, in closed form
 kind-first-integral = exact turning points, from a first integral
 kind-series = series, to rounding
+motion-exact = exact motion
+motion-to-rounding = motion to rounding
 
 ### How a motion ends
 
@@ -132,12 +134,16 @@ plot-axis = { $name } { $symbol } in { $unit }
 plot-axis-pure = { $name } { $symbol }
 plot-time = Time
 plot-position = Displacement
+plot-exact-motion = Exact motion
+plot-motion-to-rounding = Motion to rounding
 plot-envelope = Envelope
 plot-turning-points = Turning points
 plot-rest = Rest: { $time }, { $position }
 plot-sticking-band = Sticking band ±{ $offset }
 plot-motion-title = Mass on a spring, { $mix }
 plot-motion-description = { $title }: displacement over { $duration }, from { $start } at the release, between { $lowest } and { $highest }. The mass { $outcome }.
+plot-comparison-description = Dashed beside it: { $name }, between { $lowest } and { $highest }.
+
 ### Quantities as they are written
 
 dimension-mass = a mass
@@ -176,7 +182,21 @@ quantity-nameless-dimension = “{ $unit }” is a unit of another kind
 experiment-too-large = The file is larger than { $limit } bytes, the most that is read
 experiment-not-utf8 = The file is not UTF-8 text (byte { $offset }); allowed is a TOML file with the sections { $sections }
 experiment-empty = The file is empty; allowed is a TOML file with the sections { $sections }
-experiment-syntax = The file is not TOML: { $problem }
+toml-unquoted = { $key } = { $value } is not TOML; a number with a unit or a decimal comma must stand in quotes: { $key } = "{ $value }"
+toml-unquoted-text = This is not TOML: a value that is no plain number must stand in quotes: mass = "300 g"
+toml-twice = This is not TOML: { $key } stands twice; allowed is once
+toml-bad-text = This is not TOML: a text lacks its closing quote or holds signs that are not allowed; written rightly: mass = "300 g"
+toml-unclosed-section = This is not TOML: the name of a section lacks its closing bracket; written rightly: [oscillator]
+toml-unclosed-table = This is not TOML: the closing brace is missing; written rightly: stokes = {"{"} damping = 0.2 {"}"}
+toml-unclosed-list = This is not TOML: the closing bracket of a list is missing; an experiment needs no lists
+toml-no-equals = This is not TOML: “=” and a value must follow a key: mass = 0.5
+toml-no-value = This is not TOML: no value stands behind “=”; written rightly: mass = 0.5
+toml-bad-key = This is not TOML: a key of plain letters must stand before “=”: mass = 0.5
+toml-comma = This is not TOML: one comma must stand between two values in braces: {"{"} kinetic = 0.02, static = 0.03 {"}"}
+toml-bad-number = This is not TOML: the number is not written as TOML allows; in quotes more is allowed: mass = "0,5 kg"
+toml-trailing = This is not TOML: something stands behind the end of a value or a section; every key begins a line of its own
+toml-too-deep = This is not TOML that can be read: too many brackets or dots within one another
+toml-other = This is not TOML (the reader says: { $problem })
 experiment-unknown-key = { $name } is unknown; allowed here: { $allowed }
 experiment-unknown-key-near = { $name } is unknown; did you mean { $nearest }? Allowed here: { $allowed }
 experiment-allowed-keys = a section with { $keys }
@@ -229,8 +249,7 @@ cli-examples =
       federpendel simulate my.toml -o motion.csv -o motion.svg
       federpendel simulate --help
 cli-simulate-examples =
-    Without duration the record ends shortly after the mass comes to rest, or after 12 periods
-    if it rests later than 200 periods or never; where it only creeps, after ten time constants.
+    Without duration the record ends shortly after the mass comes to rest, or after 12 periods if it rests later than 200 periods or never; where it only creeps, after ten time constants.
 
     Examples:
       federpendel simulate
@@ -291,7 +310,7 @@ summary-heat-coulomb = heat of Coulomb friction
 summary-heat-newton = heat of Newton friction
 summary-error-bound = error of positions below
 summary-margin = rest inside the sticking band
-summary-margin-value = by { $margin } % of its half width
+summary-margin-value = { $distance } from its edge, { $margin } % of the offset f
 derived-damping-ratio = damping ratio
 derived-quality-factor = quality factor
 derived-logarithmic-decrement = logarithmic decrement
@@ -307,3 +326,23 @@ cli-not-found = no such file or folder
 cli-permission-denied = permission denied
 cli-is-a-folder = this is a folder, not a file
 cli-storage-full = no space left on the device
+remark-equation = Equation ({ $number })
+remark-scheme = The scheme
+remark-sticks-at-once = { $method } knows no sticking and lets the mass swing, which in fact stays where it is released.
+remark-no-sticking = { $method } knows no sticking and goes on where the mass has come to rest.
+remark-wrong-decay = { $method } lets the amplitude fall at a rate that is wrong by the factor C, and goes on after the mass sticks.
+remark-grows = { $method } holds for x0 > 0 only: here, with x0 < 0, its amplitude grows where it should fall.
+remark-wrong-phase = { $method } loses the quadrant of the phase for v0 < 0, as here, and starts on the wrong side.
+remark-wrong-phase-and-decay = { $method } loses the quadrant of the phase for v0 < 0, as here, and its decay is wrong by the factor C.
+remark-only-at-turning-points = { $method } meets the exact motion only at its turning points and knows no sticking.
+remark-misses-turning-points = { $method } misses even the turning points for v0 ≠ 0, as here, and knows no sticking.
+remark-chatters = { $method } has no static friction: it never rests but chatters and creeps.
+remark-first-order = { $method } is of first order, because of its backward difference: half the step halves its error.
+remark-second-order = { $method } is of second order, since there is no friction: half the step leaves a quarter of its error.
+step-unstable = a time step of { $step } is too long: with it the scheme is unstable and runs away from the motion. It is stable below { $longest }; safe is --dt "{ $proposed }"
+step-coarse = a time step of { $step } is too long for this record: the error of the scheme has become larger than the motion. Try --dt "{ $proposed }" or a shorter record
+cli-warning = warning
+summary-energy-values = { $initial } at release; at the end of the record { $left } ({ $motion }), { $other } ({ $method })
+summary-heading-of = { $heading } ({ $whose })
+summary-margin-tie = on the edge, within rounding
+summary-margin-distance = { $distance } from its edge

@@ -79,6 +79,14 @@ impl Catalogue {
         })
     }
 
+    /// A motion of this kind beside others; only the first two kinds are called exact.
+    pub fn motion(&self, kind: Kind) -> String {
+        self.text(match kind {
+            Kind::ClosedForm | Kind::FirstIntegral => "motion-exact",
+            Kind::Series => "motion-to-rounding",
+        })
+    }
+
     /// How a motion ends: “comes to rest after 10 swings, 4.967 s, 1.9 mm from the centre”.
     pub fn outcome(&self, outcome: &Outcome) -> String {
         let length = |x: f64| self.quantity(x.abs(), "m", DIGITS).into();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use federpendel::{Mix, Outcome, Rest, TurningPoint};
+use federpendel::{Kind, Mix, Outcome, Rest, TurningPoint};
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
 use federpendel_text::plot::{Axis, MotionData, Plot, Role, Style};
 use federpendel_text::{Catalogue, Language};
@@ -78,6 +78,45 @@ fn a_motion_is_described_with_everything_that_is_in_it() {
 }
 
 #[test]
+fn a_curve_that_follows_the_motion_is_seen_on_it() {
+    let record = record(4, 5.0, 500);
+    let catalogue = Catalogue::new(Language::German);
+    for (kind, name) in [
+        (Kind::ClosedForm, "Exakte Bewegung"),
+        (Kind::FirstIntegral, "Exakte Bewegung"),
+        (Kind::Series, "Bewegung bis auf Rundung"),
+    ] {
+        let mut plot = plot(Language::German, &record);
+        let curve = record.times.iter().copied().zip(record.positions.iter().copied());
+        plot.compare(&catalogue, kind, "article-scheme", curve);
+        assert_eq!((&*plot.series[0].name, &*plot.series[1].name), (name, "article-scheme"));
+        assert!(
+            plot.description.contains("article-scheme, zwischen −9,005 cm"),
+            "{}",
+            plot.description
+        );
+        // Without colour, and where every point lies on the motion: both signs are there.
+        let text = terminal(&plot, 80, 24, false);
+        let beads = text.matches('×').count();
+        assert!((40..200).contains(&beads), "{text}");
+        assert!(text.contains("× × article-scheme"), "{text}");
+        for (background, below, above) in
+            [(Background::Light, "#0072b2", "#00402b"), (Background::Dark, "#56b4e9", "#e9ff9c")]
+        {
+            let text = svg(&plot, Size::default(), background);
+            let line = |colour: &str| {
+                let is_it = |line: &&str| line.contains(colour) && line.matches(' ').count() > 100;
+                let at = text.split('<').position(|line| is_it(&line)).expect("a curve");
+                (at, text.split('<').nth(at).unwrap_or_default().to_owned())
+            };
+            let ((lower, solid), (upper, dashed)) = (line(below), line(above));
+            assert!(lower < upper, "the comparison lies above the motion");
+            assert!(!solid.contains("dasharray") && dashed.contains("dasharray"), "{dashed}");
+        }
+    }
+}
+
+#[test]
 fn a_rest_after_the_record_is_not_drawn() {
     let mut record = record(10, 5.0, 500);
     record.times.truncate(100);
@@ -142,7 +181,7 @@ fn png_has_its_size_and_is_not_blank() {
 #[test]
 fn terminal_plots_have_the_width_asked_for_and_no_escapes_without_colour() {
     let plot = plot(Language::German, &record(10, 5.0, 500));
-    for columns in [60, 80, 100, 120, 200] {
+    for columns in [40, 60, 80, 100, 120, 200] {
         let text = terminal(&plot, columns, 24, false);
         let widths: Vec<_> = text.lines().map(|line| line.chars().count()).collect();
         assert_eq!(widths.iter().max(), Some(&columns), "{text}");

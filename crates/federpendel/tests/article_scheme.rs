@@ -245,3 +245,43 @@ fn the_default_step_is_a_thousandth_of_the_period() {
         assert_close(default(damping), undamped, 1e-17);
     }
 }
+
+#[test]
+fn a_walk_that_is_interrupted_takes_the_same_steps() {
+    let times: Vec<f64> = (0..500).map(|i| 0.0137 * f64::from(i)).collect();
+    for bits in 0..8 {
+        let scheme = scheme(bits, 0.1, -0.2, 1e-3);
+        let whole = scheme.sample(&times).unwrap();
+        let mut walk = scheme.walk();
+        for (time, expected) in times.iter().zip(&whole.samples) {
+            walk.advance(0.4 * time + 0.6 * (time - 0.0137).max(0.0)).unwrap();
+            assert_eq!(walk.sample(*time).unwrap(), *expected);
+        }
+        assert!(walk.interpolated() && whole.interpolated);
+        assert!(matches!(walk.sample(1.0), Err(Error::Order { .. })));
+    }
+}
+
+#[test]
+fn the_scheme_is_stable_up_to_its_longest_step() {
+    for damping in [0.0, 0.2, 2.0, 40.0] {
+        let oscillator = Oscillator::new(MASS, STIFFNESS, Stokes::new(damping).unwrap()).unwrap();
+        let release = State::new(0.1, 0.0).unwrap();
+        let longest = Scheme::longest_stable_step(&oscillator, release);
+        let largest = |step: f64| {
+            let positions = Scheme::new(&oscillator, release, step).unwrap().run(2_000).unwrap();
+            positions.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()))
+        };
+        let (below, above) = (largest(0.999 * longest), largest(1.01 * longest));
+        assert!(below < 10.0 && above > 1e3, "D = {damping}: {below}, {above}");
+    }
+    // With Newton friction it errs on the safe side.
+    for (velocity, drag) in [(0.0, 2.0), (30.0, 0.2), (-5.0, 20.0)] {
+        let oscillator = Oscillator::new(MASS, STIFFNESS, Newton::new(drag).unwrap()).unwrap();
+        let release = State::new(0.1, velocity).unwrap();
+        let step = Scheme::longest_stable_step(&oscillator, release);
+        let positions = Scheme::new(&oscillator, release, step).unwrap().run(20_000).unwrap();
+        let reach = velocity.abs() / (STIFFNESS / MASS).sqrt() + 0.1;
+        assert!(positions.iter().all(|x| x.abs() < 2.0 * reach), "{velocity} {drag}");
+    }
+}

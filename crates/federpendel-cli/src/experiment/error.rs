@@ -1,6 +1,6 @@
 //! What can be wrong with an experiment.
 
-use super::{Field, Given};
+use super::{Field, Given, Syntax};
 use crate::quantity;
 
 /// What may stand at a place of an experiment file.
@@ -28,12 +28,12 @@ pub enum Error {
     #[error("empty file")]
     EmptyFile,
     /// The file is not TOML.
-    #[error("line {line}: {problem}")]
+    #[error("line {line}: {problem:?}")]
     Syntax {
         /// Line, from 1.
         line: usize,
-        /// In the words of the TOML library.
-        problem: String,
+        /// What is wrong.
+        problem: Syntax,
     },
     /// A key or section that no experiment has.
     #[error("unknown key {path}")]

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Allowed, Draft, Error, Field, Origin};
+use super::{Allowed, Draft, Error, Field, Origin, Syntax};
 use crate::words::excerpt;
 
 /// Largest experiment file that is read, bytes.
@@ -24,8 +24,7 @@ pub fn parse(bytes: &[u8]) -> Result<Draft, Error> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let root = DeTable::parse(text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
-        let problem = error.message().lines().collect::<Vec<_>>().join("; ");
-        Error::Syntax { line: line_at(text, at), problem }
+        Error::Syntax { line: line_at(text, at), problem: Syntax::of(text, at, &error) }
     })?;
     if root.get_ref().is_empty() {
         return Err(Error::EmptyFile);

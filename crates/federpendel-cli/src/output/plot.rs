@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use federpendel::{Sample, State};
 use federpendel_text::Catalogue;
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
-use federpendel_text::plot::{MotionData, Plot, Role, Style};
+use federpendel_text::plot::{MotionData, Plot};
 
 use crate::record::Record;
 
@@ -68,7 +68,7 @@ fn plot(record: &Record, catalogue: &Catalogue) -> Plot {
     );
     if let Some(other) = &record.other {
         let points = points(&other.samples);
-        plot.add(record.method.name(), Role::Comparison(0), Style::SOLID, points);
+        plot.compare(catalogue, record.motion.kind(), record.method.name(), points);
     }
     plot
 }

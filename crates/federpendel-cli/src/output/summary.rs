@@ -2,6 +2,7 @@
 
 mod details;
 mod table;
+mod wrap;
 
 use std::io::{self, Write};
 
@@ -9,7 +10,9 @@ use federpendel::{Mix, Outcome, Regime};
 
 use super::{Style, plot};
 use crate::record::{Record, Source};
+use crate::words::remark;
 use table::Table;
+use wrap::wrap;
 
 /// Digits of a quantity in a table.
 const DIGITS: usize = 4;
@@ -27,36 +30,21 @@ pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> i
     let outcome = catalogue.outcome(&record.outcome);
     let sentence = catalogue.format("summary-sentence", &[("outcome", outcome.into())]);
     let tied = matches!(record.outcome, Outcome::Rests(rest) if rest.tie);
-    let sentences =
-        [Some(sentence), tied.then(|| catalogue.text("summary-tie")), deviation(record, style)];
-    for sentence in sentences.into_iter().flatten() {
-        write!(out, "{}", wrapped(&sentence, columns))?;
+    let sentences = [
+        Some(sentence),
+        tied.then(|| catalogue.text("summary-tie")),
+        deviation(record, style),
+        remark(catalogue, record),
+    ];
+    for line in sentences.iter().flatten().flat_map(|sentence| wrap(sentence, columns)) {
+        writeln!(out, "{line}")?;
     }
     writeln!(out)?;
-    short_table(record, style)?.write(out)?;
+    short_table(record, style)?.write(columns, out)?;
     if style.details {
-        details::write(record, style, out)?;
+        details::write(record, style, columns, out)?;
     }
     Ok(())
-}
-
-/// `sentence` in lines of at most `columns`.
-fn wrapped(sentence: &str, columns: usize) -> String {
-    let mut text = String::new();
-    let mut width = 0;
-    for word in sentence.split(' ') {
-        let length = console::measure_text_width(word);
-        if width > 0 && width + 1 + length > columns {
-            text.push('\n');
-            width = 0;
-        } else if width > 0 {
-            text.push(' ');
-            width += 1;
-        }
-        text.push_str(word);
-        width += length;
-    }
-    text + "\n"
 }
 
 /// How far the method asked for is from the exact motion.
@@ -114,15 +102,7 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
         );
         table.row("summary-damping", value);
     }
-    let ledger = record.ledger_at_end().map_err(io::Error::other)?;
-    let value = catalogue.format(
-        "summary-energy-value",
-        &[
-            ("initial", catalogue.quantity(record.motion.initial_energy(), "J", DIGITS).into()),
-            ("left", catalogue.quantity(ledger.kinetic + ledger.potential, "J", DIGITS).into()),
-        ],
-    );
-    table.row("summary-energy", value);
+    energies(record, style, &mut table)?;
     let value = catalogue.format(
         "summary-record-value",
         &[
@@ -137,6 +117,30 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     }
     table.row("summary-kind", catalogue.kind(record.motion.kind()));
     Ok(table)
+}
+
+/// The energy that is left: of the motion, and where another method is asked for its own beside it.
+fn energies(record: &Record, style: Style<'_>, table: &mut Table<'_>) -> io::Result<()> {
+    let catalogue = style.catalogue;
+    let joule = |energy: f64| catalogue.quantity(energy, "J", DIGITS).into();
+    let ledger = record.ledger_at_end().map_err(io::Error::other)?;
+    let initial = ("initial", joule(record.motion.initial_energy()));
+    let left = ("left", joule(ledger.kinetic + ledger.potential));
+    let value = match record.other_energy() {
+        None => catalogue.format("summary-energy-value", &[initial, left]),
+        Some((kinetic, potential)) => catalogue.format(
+            "summary-energy-values",
+            &[
+                initial,
+                left,
+                ("motion", catalogue.motion(record.motion.kind()).into()),
+                ("other", joule(kinetic + potential)),
+                ("method", record.method.name().into()),
+            ],
+        ),
+    };
+    table.row("summary-energy", value);
+    Ok(())
 }
 
 /// The method asked for and how it made its samples.

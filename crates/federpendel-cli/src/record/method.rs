@@ -8,6 +8,9 @@ use crate::progress::Progress;
 
 use super::CHUNK;
 
+/// Steps of a scheme between two signs of progress, some hundredths of a second.
+const STEPS_BETWEEN_SIGNS: f64 = 1e7;
+
 /// A method of computing the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
@@ -85,12 +88,38 @@ impl Other {
             }
             Method::ArticleScheme => {
                 let time_step = time_step.unwrap_or_else(|| Scheme::default_time_step(oscillator));
-                let made = Scheme::new(oscillator, release, time_step)?.sample(times)?;
-                progress.advance(times.len() as u64);
-                let source = Source::Steps { time_step, interpolated: made.interpolated };
-                Ok(Some(Self { samples: made.samples, source }))
+                Self::scheme(Scheme::new(oscillator, release, time_step)?, times, progress)
+                    .map(Some)
             }
         }
+    }
+
+    /// The scheme takes many steps between two samples or few: progress is told after so many steps.
+    fn scheme(scheme: Scheme, times: &[f64], progress: &Progress) -> federpendel::Result<Self> {
+        let time_step = scheme.time_step();
+        let stretch = STEPS_BETWEEN_SIGNS * time_step;
+        let mut walk = scheme.walk();
+        let mut samples = Vec::with_capacity(times.len());
+        let (mut told, mut last) = (0, 0.0);
+        for (index, &time) in times.iter().enumerate() {
+            while time - last > stretch {
+                last += stretch;
+                walk.advance(last)?;
+                let share = last / times.last().copied().unwrap_or(last);
+                // Below the number of samples, since `last` lies before one of them.
+                let done = (share * times.len() as f64) as u64;
+                progress.advance(done.saturating_sub(told));
+                told = told.max(done);
+            }
+            samples.push(walk.sample(time)?);
+            if (index + 1) % CHUNK == 0 {
+                progress.advance((index as u64 + 1).saturating_sub(told));
+                told = told.max(index as u64 + 1);
+            }
+        }
+        progress.advance((times.len() as u64).saturating_sub(told));
+        let source = Source::Steps { time_step, interpolated: walk.interpolated() };
+        Ok(Self { samples, source })
     }
 
     fn formula(

@@ -4,6 +4,7 @@ use federpendel::parameter::Range;
 use federpendel_text::Catalogue;
 
 use super::quantity::{allowed, quantity_problem};
+use super::syntax::not_toml;
 use crate::experiment::{Allowed, Error, Field, Given, LARGEST_FILE, Origin};
 use crate::quantity::Dimension;
 
@@ -30,9 +31,7 @@ fn sentence(catalogue: &Catalogue, error: &Error) -> String {
             catalogue.format("experiment-not-utf8", &variables)
         }
         Error::EmptyFile => catalogue.format("experiment-empty", &[("sections", SECTIONS.into())]),
-        Error::Syntax { problem, .. } => {
-            catalogue.format("experiment-syntax", &[("problem", problem.as_str().into())])
-        }
+        Error::Syntax { problem, .. } => not_toml(catalogue, problem),
         Error::UnknownKey { path, nearest, allowed, .. } => {
             unknown_key(catalogue, path, nearest.as_deref(), allowed)
         }

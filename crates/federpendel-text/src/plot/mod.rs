@@ -90,6 +90,10 @@ impl Style {
     pub const SOLID: Style = Style::Line { dash: Dash::Solid, width: 1.0 };
     /// A thinner, dashed line.
     pub const DASHED: Style = Style::Line { dash: Dash::Dashed, width: 0.75 };
+    /// A line of long pieces: above a [`Style::WIDE`] one both are seen where they agree.
+    pub const LONG_DASHED: Style = Style::Line { dash: Dash::LongDashed, width: 1.0 };
+    /// A solid line wide enough to be seen on both sides of one above it.
+    pub const WIDE: Style = Style::Line { dash: Dash::Solid, width: 2.25 };
     /// A dotted line of ordinary width.
     pub const DOTTED: Style = Style::Line { dash: Dash::Dotted, width: 1.0 };
 }
@@ -99,8 +103,10 @@ impl Style {
 pub enum Dash {
     /// Unbroken.
     Solid,
-    /// Long pieces.
+    /// Pieces of middling length.
     Dashed,
+    /// Long pieces.
+    LongDashed,
     /// Short pieces.
     Dotted,
 }
@@ -240,8 +246,9 @@ impl Plot {
         let mut layers: Vec<_> = self.series.iter().collect();
         layers.sort_by_key(|series| match (&series.lower, series.role) {
             (Some(_), _) => 0,
-            (_, Role::Comparison(_)) => 1,
-            (_, Role::Exact) => 2,
+            (_, Role::Exact) => 1,
+            // Above it, so that a broken line is seen on the curve with which it agrees.
+            (_, Role::Comparison(_)) => 2,
             // Where the curve is so dense that it fills its range, the envelope is seen on its edge.
             (_, Role::Envelope) => 3,
             (_, Role::TurningPoints) => 4,

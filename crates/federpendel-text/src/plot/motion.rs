@@ -1,6 +1,6 @@
 //! The plot of a motion: x(t), its envelope and turning points, the sticking band, the rest.
 
-use federpendel::{Mix, Outcome, TurningPoint};
+use federpendel::{Kind, Mix, Outcome, TurningPoint};
 
 use super::{Axis, Marker, Plot, Role, Style};
 use crate::catalogue::Catalogue;
@@ -74,6 +74,38 @@ impl Plot {
             plot.add_band(name, -data.sticking_offset, data.sticking_offset);
         }
         plot
+    }
+
+    /// Holds another curve (s, m) beside the motion, which is of this `kind`: the curve dashed above
+    /// it, the motion named as what it is and wide enough to be seen where the two agree.
+    pub fn compare(
+        &mut self,
+        catalogue: &Catalogue,
+        kind: Kind,
+        name: &str,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) {
+        let Some(motion) = self.series.iter().position(|series| series.role == Role::Exact) else {
+            return;
+        };
+        self.series[motion].name = catalogue.text(match kind {
+            Kind::ClosedForm | Kind::FirstIntegral => "plot-exact-motion",
+            Kind::Series => "plot-motion-to-rounding",
+        });
+        self.series[motion].style = Style::WIDE;
+        self.add(name, Role::Comparison(0), Style::LONG_DASHED, points);
+        let curve = self.series.pop();
+        let heights = curve.iter().flat_map(|curve| &curve.points).map(|point| point.1);
+        let extreme = |pick: fn(f64, f64) -> f64| {
+            let height = heights.clone().reduce(pick).unwrap_or(0.0);
+            catalogue.quantity(height * self.y.unit_size, "m", 4).into()
+        };
+        let variables =
+            [("name", name.into()), ("lowest", extreme(f64::min)), ("highest", extreme(f64::max))];
+        let sentence = catalogue.format("plot-comparison-description", &variables);
+        self.description = format!("{} {sentence}", self.description);
+        // Second in the legend, beside the motion.
+        self.series.splice(motion + 1..motion + 1, curve);
     }
 }
 

@@ -12,7 +12,11 @@
 //! order only without friction; it has a stability limit; and having no static friction it never
 //! comes to rest but chatters and creeps back to x = 0. The static coefficient has no effect here.
 
+mod stability;
 mod terms;
+mod walk;
+
+pub use self::walk::Walk;
 
 use self::terms::{Pair, Terms};
 use crate::article::direction;
@@ -201,24 +205,11 @@ impl Scheme {
         order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
         let blank = self.step(0, self.start())?.sample(0.0);
         let mut samples = vec![blank; times.len()];
-        let mut interpolated = false;
-        let (mut index, mut pair) = (1, self.start());
+        let mut walk = self.walk();
         for place in order {
-            let time = times[place];
-            let (below, fraction) = self.grid_place(time);
-            if below > index {
-                pair = self.follow(index, pair, below)?;
-                index = below;
-            }
-            let mut step = self.step(below, pair)?;
-            if fraction > 0.0 {
-                let next = if below == 0 { pair } else { self.next(pair) };
-                step = step.towards(self.step(below + 1, next)?, fraction);
-                interpolated = true;
-            }
-            samples[place] = step.sample(time);
+            samples[place] = walk.sample(times[place])?;
         }
-        Ok(Samples { samples, interpolated })
+        Ok(Samples { samples, interpolated: walk.interpolated() })
     }
 
     /// The step at or below a time, and how far beyond it the time lies, in steps.

@@ -257,11 +257,7 @@ impl Ends {
 
 fn energy(record: &Record) -> federpendel::Result<Energy> {
     let initial = record.motion.initial_energy();
-    if let Some(other) = &record.other {
-        let oscillator = record.motion.oscillator();
-        let end = other.samples.last().map_or(record.motion.release(), Sample::state);
-        let kinetic = oscillator.kinetic_energy(end);
-        let potential = oscillator.potential_energy(end);
+    if let Some((kinetic, potential)) = record.other_energy() {
         return Ok(Energy { initial, kinetic, potential, heat: None });
     }
     let ledger = record.ledger_at_end()?;

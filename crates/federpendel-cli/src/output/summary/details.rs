@@ -4,10 +4,12 @@ use std::io::{self, Write};
 
 use console::style;
 use federpendel::parameter::{self, ParameterInfo};
-use federpendel::{NormalForce, Outcome};
+use federpendel::{NormalForce, Oscillator, Outcome, Rest};
+use federpendel_text::Catalogue;
 
 use super::super::Style;
 use super::table::Table;
+use super::wrap::wrap;
 use crate::record::Record;
 
 /// Digits of a quantity in the details.
@@ -16,25 +18,51 @@ const DIGITS: usize = 9;
 /// Turning points listed; JSON has them all.
 const POINTS: usize = 30;
 
-/// Width of a column of numbers.
-const WIDTH: usize = 16;
+/// Width of a column of numbers, and where there is no room for two of them.
+const WIDTHS: [usize; 2] = [16, 14];
 
-pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let sections = [
-        ("summary-given", given(record, style)),
-        ("summary-derived", derived(record, style)),
-        ("summary-spent", spent(record, style)?),
-        ("summary-certainty", certainty(record, style)?),
+pub(super) fn write(
+    record: &Record,
+    style: Style<'_>,
+    columns: usize,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let catalogue = style.catalogue;
+    // Beside another method it is said what belongs to the motion.
+    let motion = record.other.as_ref().map(|_| catalogue.motion(record.motion.kind()));
+    let of_motion = |id: &str| of(catalogue, id, motion.as_deref());
+    let mut sections = vec![
+        (catalogue.text("summary-given"), given(record, style)),
+        (catalogue.text("summary-derived"), derived(record, style)),
+        (of_motion("summary-spent"), spent(record, style)?),
     ];
-    for (id, table) in sections {
-        heading(id, style, out)?;
-        table.write(out)?;
+    if let Some(table) = left_to_method(record, style) {
+        sections.push((of(catalogue, "summary-spent", Some(record.method.name())), table));
     }
-    turning_points(record, style, out)
+    sections.push((of_motion("summary-certainty"), certainty(record, style)?));
+    for (name, table) in sections {
+        heading(&name, columns, out)?;
+        table.write(columns, out)?;
+    }
+    heading(&of_motion("summary-turning-points"), columns, out)?;
+    turning_points(record, style, columns, out)
 }
 
-fn heading(id: &str, style_: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "\n{}", style(style_.catalogue.text(id)).bold())
+/// A heading, and whose it is.
+fn of(catalogue: &Catalogue, id: &str, whose: Option<&str>) -> String {
+    let heading = catalogue.text(id);
+    match whose {
+        None => heading,
+        Some(whose) => {
+            let variables = [("heading", heading.into()), ("whose", whose.into())];
+            catalogue.format("summary-heading-of", &variables)
+        }
+    }
+}
+
+fn heading(name: &str, columns: usize, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out)?;
+    wrap(name, columns).iter().try_for_each(|line| writeln!(out, "{}", style(line).bold()))
 }
 
 fn given<'a>(record: &Record, style: Style<'a>) -> Table<'a> {
@@ -120,29 +148,70 @@ fn spent<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     Ok(table)
 }
 
+/// The energy at the end by the method asked for, as the JSON has it.
+fn left_to_method<'a>(record: &Record, style: Style<'a>) -> Option<Table<'a>> {
+    let (kinetic, potential) = record.other_energy()?;
+    let mut table = Table::new(style.catalogue);
+    for (id, value) in
+        [("summary-energy-kinetic", kinetic), ("summary-energy-potential", potential)]
+    {
+        table.row(id, style.catalogue.quantity(value, "J", DIGITS));
+    }
+    Some(table)
+}
+
 /// How well all this is known.
 fn certainty<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     let bound = record.motion.error_bound(record.duration).map_err(io::Error::other)?;
     let mut table = Table::new(style.catalogue);
     table.row("summary-kind", style.catalogue.kind(record.motion.kind()));
     table.row("summary-error-bound", style.catalogue.quantity(bound, "m", 2));
-    if let Outcome::Rests(rest) = record.outcome {
-        let percent = style.catalogue.number(100.0 * rest.margin, 4);
-        let margin = style.catalogue.format("summary-margin-value", &[("margin", percent.into())]);
-        table.row("summary-margin", margin);
+    let oscillator = record.motion.oscillator();
+    if let Outcome::Rests(rest) = record.outcome
+        && oscillator.sticking_offset() > 0.0
+    {
+        table.row("summary-margin", margin(&rest, oscillator, style));
     }
     Ok(table)
 }
 
-fn turning_points(record: &Record, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
+/// How far inside the sticking band the mass rests. The core measures it in offsets f, which say how
+/// many swings less or more would change it.
+fn margin(rest: &Rest, oscillator: &Oscillator, style: Style<'_>) -> String {
+    let catalogue = style.catalogue;
+    if rest.tie {
+        return catalogue.text("summary-margin-tie");
+    }
+    let offset = oscillator.offset();
+    if offset == 0.0 {
+        let distance = rest.margin * oscillator.sticking_offset();
+        let distance = catalogue.quantity(distance, "m", 4);
+        return catalogue.format("summary-margin-distance", &[("distance", distance.into())]);
+    }
+    catalogue.format(
+        "summary-margin-value",
+        &[
+            ("distance", catalogue.quantity(rest.margin * offset, "m", 4).into()),
+            ("margin", catalogue.number(100.0 * rest.margin, 4).into()),
+        ],
+    )
+}
+
+fn turning_points(
+    record: &Record,
+    style: Style<'_>,
+    columns: usize,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let catalogue = style.catalogue;
     let points: Vec<_> = record.turning_points().take(POINTS + 1).collect();
-    heading("summary-turning-points", style, out)?;
     if points.is_empty() {
         return writeln!(out, "  {}", catalogue.text("summary-none"));
     }
+    let [wide, narrow] = WIDTHS;
+    let width = if 10 + 2 * wide > columns { narrow } else { wide };
     let row = |index: &str, time: &str, position: &str| {
-        format!("  {index:>4}  {time:>WIDTH$}  {position:>WIDTH$}")
+        format!("  {index:>4}  {time:>width$}  {position:>width$}")
     };
     let names = [catalogue.text("summary-point-time"), catalogue.text("summary-point-position")];
     writeln!(out, "{}", console::style(row("", &names[0], &names[1])).dim())?;

@@ -73,11 +73,33 @@ impl Canvas {
             let shown = match dash {
                 Dash::Solid => true,
                 Dash::Dashed => x.rem_euclid(6) < 3,
+                Dash::LongDashed => x.rem_euclid(9) < 6,
                 Dash::Dotted => x.rem_euclid(4) < 1,
             };
             if shown {
                 self.dot(x, y, Some(role));
             }
+        }
+    }
+
+    /// A line through `points` as a character in every other cell that it meets: dots would be lost
+    /// among those of a curve that it follows.
+    pub fn beads(&mut self, points: &[(i64, i64)], character: char, role: Role) {
+        let mut met = Vec::new();
+        for pair in points.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let steps = (to.0 - from.0).abs().max((to.1 - from.1).abs());
+            for step in 0..=steps {
+                let along = |from: i64, to: i64| from + (to - from) * step / steps.max(1);
+                let dot = (along(from.0, to.0), along(from.1, to.1));
+                let cell = (dot.0.div_euclid(2), dot.1.div_euclid(4));
+                if met.last().is_none_or(|(last, _)| *last != cell) {
+                    met.push((cell, dot));
+                }
+            }
+        }
+        for (_, dot) in met.iter().step_by(2) {
+            self.put(dot.0, dot.1, character, role);
         }
     }
 

@@ -21,7 +21,8 @@ pub(super) fn css(role: Role, background: Background) -> &'static str {
         Role::TurningPoints => ("#222222", "#f2f2f2"),
         Role::Rest => ("#b3006b", "#ff8fd0"),
         Role::Comparison(n) => {
-            [("#d55e00", "#ff9248"), ("#00805c", "#3fd6a8"), ("#8a5a9e", "#d3a4e6")][n % 3]
+            // Far from the blue of the exact curve in lightness too, since they lie on it.
+            [("#00402b", "#e9ff9c"), ("#d55e00", "#ff9248"), ("#8a5a9e", "#d3a4e6")][n % 3]
         }
     };
     match background {

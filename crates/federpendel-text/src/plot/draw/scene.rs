@@ -180,6 +180,8 @@ fn legend(plot: &Plot, size: Size, background: Background) -> Vec<LegendEntry> {
     let series = plot.series.iter().filter(shown).map(|series| {
         let (shape, dasharray) = match series.style {
             _ if series.lower.is_some() => (LegendShape::Rect, None),
+            // Shorter, so that there is room for a gap.
+            Style::Line { dash: Dash::LongDashed, .. } => (LegendShape::Line, Some("6 3".into())),
             Style::Line { dash, .. } => (LegendShape::Line, line_style(dash).dasharray()),
             Style::Markers(marker) => (LegendShape::Marker(marker_shape(marker)), None),
         };
@@ -207,6 +209,7 @@ fn line_style(dash: Dash) -> LineStyle {
     match dash {
         Dash::Solid => LineStyle::Solid,
         Dash::Dashed => LineStyle::Custom("5 3.5".into()),
+        Dash::LongDashed => LineStyle::Custom("9 6".into()),
         Dash::Dotted => LineStyle::Custom("2 3".into()),
     }
 }

@@ -9,7 +9,7 @@ use crate::plot::{Band, Dash, Marker, Plot, Role, Series, Span, Style};
 /// Fewest columns and rows in which there is something to see.
 const SMALLEST: (usize, usize) = (24, 8);
 
-/// `plot` as lines of text, at most `columns` wide (from 60 on; the title keeps its length) and about
+/// `plot` as lines of text, at most `columns` wide (from 40 on, but for a long word in the title) and about
 /// `rows` high (the legend may need more); with `colour`, in the colours of the terminal.
 pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> String {
     let (columns, rows) = (columns.max(SMALLEST.0), rows.max(SMALLEST.1));
@@ -23,12 +23,25 @@ pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Strin
     draw(plot, &mut canvas, &x, &y, room);
     let x_ticks = x_ticks(&x, canvas.columns, plot);
 
-    let mut lines = vec![centred(&plot.title, columns), plot.y.label.clone()];
+    let mut lines = title(&plot.title, columns);
+    lines.push(plot.y.label.clone());
     lines.extend(body(&canvas, &y, &y_ticks, margin, colour));
     lines.extend(foot(&x, &x_ticks, margin, canvas.columns));
     lines.push(flush_right(&plot.x.label, columns));
     lines.extend(legend(plot, columns, room, colour));
     lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// The title, in as many lines as it needs.
+fn title(title: &str, columns: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in title.split(' ') {
+        match lines.last_mut().filter(|line| width(line) + 1 + width(word) <= columns) {
+            Some(line) => *line = format!("{line} {word}"),
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| centred(line, columns)).collect()
 }
 
 fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
@@ -45,6 +58,11 @@ fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
         match series.style {
             Style::Line { dash, .. } => {
                 let points = thin(&series.points, x, width as usize);
+                if let Some(bead) = bead(series) {
+                    let dots: Vec<_> = points.iter().copied().filter_map(place).collect();
+                    canvas.beads(&dots, bead, series.role);
+                    continue;
+                }
                 for pair in points.windows(2) {
                     if let (Some(from), Some(to)) = (place(pair[0]), place(pair[1])) {
                         canvas.line(from, to, dash, series.role);
@@ -161,8 +179,9 @@ fn legend(plot: &Plot, columns: usize, room: usize, colour: bool) -> Vec<String>
     let listed = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
     let series = plot.series.iter().filter(listed).map(|series| {
         let sample = match series.style {
+            _ if bead(series).is_some() => bead(series).map_or_else(String::new, beads),
             Style::Line { dash: Dash::Solid, .. } => "───".to_owned(),
-            Style::Line { dash: Dash::Dashed, .. } => "╶╴╶╴".to_owned(),
+            Style::Line { dash: Dash::Dashed | Dash::LongDashed, .. } => "╶╴╶╴".to_owned(),
             Style::Line { dash: Dash::Dotted, .. } => "····".to_owned(),
             Style::Markers(marker) => symbol(marker).to_string(),
         };
@@ -188,6 +207,20 @@ fn legend(plot: &Plot, columns: usize, room: usize, colour: bool) -> Vec<String>
         }
     }
     lines
+}
+
+/// The sign of which a broken line held beside a motion is made.
+fn bead(series: &Series) -> Option<char> {
+    match (series.role, series.style) {
+        (Role::Comparison(n), Style::Line { dash: Dash::LongDashed, .. }) => {
+            Some(['×', '+', 'o'][n % 3])
+        }
+        _ => None,
+    }
+}
+
+fn beads(sign: char) -> String {
+    [sign.to_string(), sign.to_string()].join(" ")
 }
 
 fn symbol(marker: Marker) -> char {
