@@ -5,7 +5,8 @@ use std::sync::OnceLock;
 use crate::chain::cursor::Cursor;
 use crate::chain::linear::LinearChain;
 use crate::chain::series::SeriesChain;
-use crate::chain::{Chain, Start};
+use crate::chain::stop::StopChain;
+use crate::chain::{Chain, Frame, Start};
 use crate::error::{Error, Result};
 use crate::oscillator::{Oscillator, State};
 use crate::outcome::Outcome;
@@ -136,7 +137,11 @@ impl Motion {
         }
         let sticking = Sticking::new(reduced, amplitude, ties);
         let first = Start::release(reduced, &sticking, release.position, release.velocity);
-        let chain = if reduced.kappa > 0.0 {
+        let stop = StopChain::new(reduced, first, amplitude)
+            .map_err(|_| Error::DragTooStrong { value: drag, limit: STRONGEST_DRAG })?;
+        let chain = if let Some(stop) = stop {
+            Chain::Stop(Box::new(stop))
+        } else if reduced.kappa > 0.0 {
             Chain::Series(Box::new(SeriesChain::new(reduced, &sticking, first, amplitude)))
         } else {
             let error = CLOSED_FORM_ERROR * amplitude;
@@ -177,7 +182,7 @@ impl Motion {
     /// As [`Motion::at`].
     pub fn error_bound(&self, time: f64) -> Result<f64> {
         Ok(match &self.chain {
-            Chain::Linear(_) => CLOSED_FORM_ERROR * self.amplitude,
+            Chain::Linear(_) | Chain::Stop(_) => CLOSED_FORM_ERROR * self.amplitude,
             Chain::Series(chain) => chain.error(self.cursor_at(time)?.start().index),
         })
     }
@@ -216,19 +221,20 @@ impl Motion {
         let reduced = self.oscillator.reduced();
         let (omega0, zeta, kappa) = (reduced.omega0.hi(), reduced.zeta.hi(), reduced.kappa);
         let (y, w) = cursor.framed_at(cursor.tau(time));
-        let side = -start.direction;
+        let Frame { side, origin, shift } = cursor.frame();
         // The release itself, not what is left of it after two changes of frame.
         let (position, velocity) = if time == 0.0 {
             (self.release.position, self.release.velocity)
         } else {
-            (side * (y + reduced.offset.hi()), side * w * omega0)
+            (side * y + origin, side * w * omega0)
         };
         Sample {
             time,
             // Adding zero makes a negative zero positive.
             position: position + 0.0,
             velocity: velocity + 0.0,
-            acceleration: side * (kappa * w * w - 2.0 * zeta * w - y) * omega0 * omega0 + 0.0,
+            acceleration: side * (kappa * w * w - 2.0 * zeta * w - (y + shift)) * omega0 * omega0
+                + 0.0,
             mode: if start.direction > 0.0 { Mode::Forward } else { Mode::Backward },
         }
     }

@@ -1,6 +1,8 @@
 //! Inputs at the ends of the range of `f64`: refused by name, or computed; never NaN, never endless.
 
-use federpendel::{Error, Friction, Motion, Newton, Oscillator, State, Stokes};
+use federpendel::{
+    Coulomb, Error, Friction, Motion, Newton, NormalForce, Oscillator, Outcome, State, Stokes,
+};
 
 fn refused(motion: federpendel::Result<Motion>) -> &'static str {
     match motion {
@@ -38,4 +40,18 @@ fn the_strongest_damping_holds_the_mass_where_it_is() {
     let sample = motion.at(1.0).unwrap();
     assert_eq!(sample.position, 0.5);
     assert!((sample.velocity / -0.5e-150 - 1.0).abs() < 1e-12, "{sample:?}");
+}
+
+/// Found by fuzzing: an offset 1e68 times the amplitude, in which the place of rest was lost.
+#[test]
+fn friction_far_stronger_than_the_throw_stops_it_near_its_release() {
+    let dry = Coulomb::new(2.2439, 2.243902686, NormalForce::Weight(2.239)).unwrap();
+    let oscillator = Oscillator::new(2.6183e122, 2.2873, dry).unwrap();
+    let motion = Motion::new(oscillator, State::new(4.2e-8, 2.45e-7).unwrap()).unwrap();
+    let Outcome::Rests(rest) = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    // The spring is nothing here: v0²/(2μg) and v0/(μg).
+    let deceleration = 2.2439 * 2.239;
+    let way = 2.45e-7 * 2.45e-7 / (2.0 * deceleration);
+    assert!((rest.position - 4.2e-8 - way).abs() < 1e-22, "{rest:?}");
+    assert!((rest.time * deceleration / 2.45e-7 - 1.0).abs() < 1e-14, "{rest:?}");
 }

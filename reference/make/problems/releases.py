@@ -8,7 +8,7 @@ STRENGTH = {"stokes": 0.06, "coulomb": 0.045, "newton": 0.3}
 
 
 def problems():
-    return signs() + sixty_swings() + units()
+    return signs() + sixty_swings() + units() + stopped_throws()
 
 
 def signs():
@@ -41,4 +41,17 @@ def units():
             result.append(problem(mix, f"units-{SHORT[mix]}-{name}", "units",
                                   f"m = {mass:g} kg, C = {stiffness:g} N/m, x0 = {x0:g} m",
                                   scaled(mix, x0, **STRENGTH, mass=mass, stiffness=stiffness), x0))
+    return result
+
+
+def stopped_throws():
+    """Thrown where dry friction is far stronger than the spring: the centre of the swing lies far off."""
+    cases = [("3", 3.0, 0.0, 0.02, 0.1), ("1e4", 1e4, -0.7, 0.3, 5.0), ("1e9", 1e9, 0.4, 40.0, 2e3)]
+    result = []
+    for mix in DRY:
+        for name, ratio, x0, stokes, newton in cases:
+            fields = scaled(mix, 0.2, stokes=stokes, coulomb=ratio, newton=newton, mass=0.25, stiffness=9.0)
+            result.append(problem(mix, f"stopped-{SHORT[mix]}-{name}", "stopped-throw",
+                                  f"offset {name} times the amplitude, which ends a throw at once",
+                                  fields, 0.2 * x0, 1.2))
     return result

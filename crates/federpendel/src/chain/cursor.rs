@@ -2,7 +2,8 @@
 
 use crate::chain::linear::{self, LinearChain};
 use crate::chain::series::{MOST_SWINGS, Next, SeriesChain};
-use crate::chain::{Chain, Start};
+use crate::chain::stop::StopChain;
+use crate::chain::{Chain, Frame, Start};
 use crate::error::{Error, Result};
 use crate::oscillator::Reduced;
 use crate::swing::piece::Piece;
@@ -28,6 +29,7 @@ pub(crate) struct Cursor<'m> {
 enum Course<'m> {
     Linear(Box<LinearChain>),
     Series(&'m SeriesChain),
+    Stop(&'m StopChain),
 }
 
 impl<'m> Cursor<'m> {
@@ -36,6 +38,7 @@ impl<'m> Cursor<'m> {
         let (course, start) = match chain {
             Chain::Linear(chain) => (Course::Linear(chain.clone()), chain.first()),
             Chain::Series(chain) => (Course::Series(chain), chain.first()),
+            Chain::Stop(chain) => (Course::Stop(chain), chain.first()),
         };
         let mut cursor = Cursor {
             reduced: *reduced,
@@ -66,6 +69,10 @@ impl<'m> Cursor<'m> {
                     let next = chain.solve(&start, self.dense.then_some(&mut self.pieces));
                     without_next = self.from;
                     next.ok()
+                }
+                Course::Stop(chain) => {
+                    self.pieces = chain.pieces().to_vec();
+                    Some(Next::Start(chain.rest()))
                 }
             }
         };
@@ -119,6 +126,10 @@ impl<'m> Cursor<'m> {
             self.course = Course::Series(series);
             self.take_up(series.known_before(time));
         }
+        if let (true, Chain::Stop(stop)) = (time < self.from, chain) {
+            self.enter(stop.first());
+            return Ok(());
+        }
         let wanted = self.dense;
         // Mostly it is the next swing.
         if self.until <= time && matches!(self.course, Course::Linear(_)) {
@@ -157,7 +168,7 @@ impl<'m> Cursor<'m> {
                 let last = chain.start(linear::MOST_SWINGS);
                 (last.time(&self.reduced), last.index)
             }
-            Course::Series(_) => (self.from, self.start.index),
+            Course::Series(_) | Course::Stop(_) => (self.from, self.start.index),
         };
         Error::TooManySwings { time, reached, swings }
     }
@@ -178,7 +189,7 @@ impl<'m> Cursor<'m> {
     pub fn linear(&self) -> Option<&LinearChain> {
         match &self.course {
             Course::Linear(chain) => Some(chain),
-            Course::Series(_) => None,
+            Course::Series(_) | Course::Stop(_) => None,
         }
     }
 
@@ -206,10 +217,25 @@ impl<'m> Cursor<'m> {
         (next.tau - self.start.tau).into()
     }
 
+    /// The frame of the swing.
+    pub fn frame(&self) -> Frame {
+        let side = -self.start.direction;
+        match self.course {
+            Course::Linear(_) | Course::Series(_) => {
+                Frame { side, origin: side * self.reduced.offset.hi(), shift: 0.0 }
+            }
+            Course::Stop(_) => {
+                let shift = self.start.framed(self.reduced.offset).0.into();
+                Frame { side, origin: self.start.x.into(), shift }
+            }
+        }
+    }
+
     /// (y, w) in the frame of the swing, `tau` after its start.
     pub fn framed_at(&self, tau: f64) -> (f64, f64) {
         let (y, w) = self.start.framed(self.reduced.offset);
         match &self.course {
+            Course::Stop(_) => self.piece_at(tau).0.state(tau),
             _ if tau == 0.0 => (y.into(), w),
             Course::Linear(chain) => chain.propagator().state(tau, y.into(), w),
             Course::Series(_) => self.piece_at(tau).0.state(tau),

@@ -3,9 +3,11 @@
 pub(crate) mod cursor;
 pub(crate) mod linear;
 pub(crate) mod series;
+pub(crate) mod stop;
 
 use crate::chain::linear::LinearChain;
 use crate::chain::series::SeriesChain;
+use crate::chain::stop::StopChain;
 use crate::double::Double;
 use crate::oscillator::Reduced;
 use crate::sticking::Sticking;
@@ -17,6 +19,8 @@ pub(crate) enum Chain {
     Linear(Box<LinearChain>),
     /// With it.
     Series(Box<SeriesChain>),
+    /// A throw that dry friction ends at once.
+    Stop(Box<StopChain>),
 }
 
 /// Where a swing starts: the release, a turning point, or a point within a swing from which another
@@ -80,6 +84,15 @@ impl Start {
     pub fn rests(&self) -> bool {
         self.direction == 0.0
     }
+}
+
+/// Position x = `side`·y + `origin` of the y that a swing is computed in, and the distance y + `shift` from the
+/// centre of that swing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    pub side: f64,
+    pub origin: f64,
+    pub shift: f64,
 }
 
 /// From a turning point the mass moves towards the centre, unless it sticks.

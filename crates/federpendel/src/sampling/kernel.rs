@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use pulp::{Simd, WithSimd};
 
+use crate::chain::Frame;
 use crate::chain::cursor::Cursor;
 use crate::double::Double;
 use crate::oscillator::Reduced;
@@ -62,12 +63,12 @@ impl Run<'_> {
 
     /// Strong damping.
     fn one_by_one(&mut self) {
-        let side = -self.cursor.start().direction;
-        let (offset, omega) = (self.reduced.offset.hi(), self.reduced.omega0.hi());
+        let Frame { side, origin, .. } = self.cursor.frame();
+        let omega = self.reduced.omega0.hi();
         for (i, (x, v)) in self.positions.iter_mut().zip(self.velocities.iter_mut()).enumerate() {
             let tau = self.cursor.tau(self.times.time(self.first + i));
             let (y, w) = self.cursor.framed_at(tau);
-            (*x, *v) = (side * (y + offset), side * w * omega);
+            (*x, *v) = (side * y + origin, side * w * omega);
         }
     }
 
@@ -97,13 +98,9 @@ impl Run<'_> {
         }
     }
 
-    fn frame(&self) -> Frame {
-        let side = -self.cursor.start().direction;
-        Frame {
-            side,
-            offset: side * self.reduced.offset.hi(),
-            omega: side * self.reduced.omega0.hi(),
-        }
+    fn outside(&self) -> Outside {
+        let Frame { side, origin, .. } = self.cursor.frame();
+        Outside { side, origin, omega: side * self.reduced.omega0.hi() }
     }
 
     /// A swing in pieces: those samples on each piece in turn.
@@ -136,18 +133,18 @@ impl Run<'_> {
     /// Stores the states from `source`, block after block.
     #[inline(always)]
     fn store<const FUSED: bool>(&mut self, mut source: impl Source) {
-        let frame = self.frame();
+        let outside = self.outside();
         let (times, first) = (self.times, self.first);
         let (xs, last_xs) = self.positions.as_chunks_mut::<LANES>();
         let (vs, last_vs) = self.velocities.as_chunks_mut::<LANES>();
         let whole = xs.len();
         for (block, (xs, vs)) in xs.iter_mut().zip(vs).enumerate() {
             let state = source.block::<FUSED>(times, first + block * LANES, block);
-            (*xs, *vs) = frame.outside::<FUSED>(state);
+            (*xs, *vs) = outside.apply::<FUSED>(state);
         }
         if !last_xs.is_empty() {
             let state = source.block::<FUSED>(times, first + whole * LANES, whole);
-            let (x, v) = frame.outside::<FUSED>(state);
+            let (x, v) = outside.apply::<FUSED>(state);
             last_xs.copy_from_slice(&x[..last_xs.len()]);
             last_vs.copy_from_slice(&v[..last_vs.len()]);
         }
@@ -224,16 +221,16 @@ impl<S: Stretch> Source for Carry<'_, S> {
 
 /// From the frame of the swing to position and velocity.
 #[derive(Clone, Copy)]
-struct Frame {
+struct Outside {
     side: f64,
-    offset: f64,
+    origin: f64,
     omega: f64,
 }
 
-impl Frame {
+impl Outside {
     #[inline(always)]
-    fn outside<const FUSED: bool>(self, (y, w): (Lanes, Lanes)) -> (Lanes, Lanes) {
-        (each(|i| mul_add::<FUSED>(self.side, y[i], self.offset)), each(|i| self.omega * w[i]))
+    fn apply<const FUSED: bool>(self, (y, w): (Lanes, Lanes)) -> (Lanes, Lanes) {
+        (each(|i| mul_add::<FUSED>(self.side, y[i], self.origin)), each(|i| self.omega * w[i]))
     }
 }
 

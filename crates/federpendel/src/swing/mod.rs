@@ -2,13 +2,15 @@
 //!
 //! All work in the same frame: time τ = ω0 t since the start of the swing, lengths in metres,
 //! velocity w = dy/dτ, and the mass moving in the negative direction about the centre of the swing,
-//! which Coulomb friction has shifted: y″ + 2ζ y′ − κ y′² + y = 0 with y′ ≤ 0.
+//! which Coulomb friction has shifted: y″ + 2ζ y′ − κ y′² + y = 0 with y′ ≤ 0. Only [`stop`] measures from the
+//! start of the swing instead.
 
 pub(crate) mod collocation;
 pub(crate) mod first_integral;
 pub(crate) mod linear;
 pub(crate) mod piece;
 pub(crate) mod stiff;
+pub(crate) mod stop;
 pub(crate) mod taylor;
 
 use crate::double::Double;
