@@ -70,7 +70,7 @@ range-count-from-two = eine ganze Zahl, 2 oder größer
 error-parameter = { $name } ist { $value }; erlaubt ist { $allowed }
 error-static-below-kinetic = { $name } ist { $static }; erlaubt ist mindestens die Gleitreibungszahl (kinetic), { $kinetic }
 error-no-normal-force = { $name } ist { $value }; die Coulombsche Reibung braucht eine Normalkraft größer als 0
-error-derived = Aus den angegebenen Werten folgt { $quantity } = { $value }; es muss eine gewöhnliche endliche Zahl sein
+error-derived = { $fields }: aus den angegebenen Werten folgt { $quantity } = { $value }; erlaubt sind Beträge von { $smallest } bis { $largest }
 error-drag-too-strong = Die Newtonsche Reibung ist zu stark: Rate κ mal Amplitude ist { $value }; erlaubt ist höchstens { $limit }
 error-too-many-swings = { $name } ist { $time }; diese Bewegung lässt sich bis { $reached } verfolgen ({ $swings ->
     [one] { $swings } Halbschwingung

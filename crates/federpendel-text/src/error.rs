@@ -1,6 +1,7 @@
 //! The errors of the core in words.
 
 use federpendel::Error;
+use federpendel::error::{LARGEST, SMALLEST};
 use federpendel::parameter::PARAMETERS;
 
 use crate::catalogue::Catalogue;
@@ -33,11 +34,14 @@ impl Catalogue {
                     ("value", self.exact_quantity(value, unit(name)).into()),
                 ],
             ),
-            Error::Derived { quantity, value } => self.format(
+            Error::Derived { quantity, value, of } => self.format(
                 "error-derived",
                 &[
                     ("quantity", self.field(quantity).into()),
                     ("value", self.exact_quantity(value, "1").into()),
+                    ("fields", of.join(", ").into()),
+                    ("smallest", self.exact_quantity(SMALLEST, "1").into()),
+                    ("largest", self.exact_quantity(LARGEST, "1").into()),
                 ],
             ),
             Error::DragTooStrong { value, limit } => self.format(
@@ -168,7 +172,7 @@ mod tests {
     fn every_error_is_a_sentence_in_both_languages() {
         let errors = [
             Error::NoNormalForce { name: "gravity", value: 0.0 },
-            Error::Derived { quantity: "angular_frequency", value: f64::INFINITY },
+            Error::Derived { quantity: "offset", value: f64::INFINITY, of: &["stiffness"] },
             Error::DragTooStrong { value: 1e6, limit: 1e5 },
             Error::TooManySwings { time: 1e9, reached: 123.0, swings: 10_000_000 },
             Error::Order { name: "times", value: 1.0, before: 2.0 },

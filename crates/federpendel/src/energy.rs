@@ -86,8 +86,11 @@ struct Work {
 
 impl<'m> Account<'m> {
     fn new(motion: &'m Motion) -> Self {
-        let zeta = motion.oscillator().damping_ratio();
-        let rule = GaussLegendre::new(if zeta < LIGHT { NODES } else { NODES_DAMPED });
+        let oscillator = motion.oscillator();
+        let (zeta, drag) =
+            (oscillator.damping_ratio(), oscillator.newton_rate() * motion.amplitude());
+        let light = zeta < LIGHT && drag < LIGHT_DRAG;
+        let rule = GaussLegendre::new(if light { NODES } else { NODES_MANY });
         Account {
             motion,
             cursor: motion.cursor(true),
@@ -213,11 +216,14 @@ impl Work {
 
 /// Damping ratio up to which a swing is like a half wave.
 const LIGHT: f64 = 0.5;
-/// Nodes for stretches of a wave not longer than π/2, and of half the radius of a Taylor series: the cube
-/// of the velocity beyond degree 23 is below rounding there.
+/// κ times the amplitude up to which drag is like that.
+const LIGHT_DRAG: f64 = 10.0;
+/// Nodes for stretches of a wave not longer than π/2, and of half the radius of a Taylor series: with light
+/// drag the cube of the velocity beyond degree 23 is below rounding there.
 const NODES: NonZeroUsize = NonZeroUsize::new(12).unwrap();
-/// Nodes where exponentials die away within a panel, and for the high polynomials of collocation.
-const NODES_DAMPED: NonZeroUsize = NonZeroUsize::new(24).unwrap();
+/// Nodes where exponentials die away within a panel, for the high polynomials of collocation, and where strong
+/// drag takes most of the velocity within one piece of a series.
+const NODES_MANY: NonZeroUsize = NonZeroUsize::new(24).unwrap();
 
 /// Cuts a stretch of a linear swing into panels on which the quadrature is exact to rounding. With
 /// damping they grow with the time since the swing began: what is fast has died away by then.

@@ -2,6 +2,26 @@
 
 use crate::parameter::Range;
 
+/// Least magnitude of a derived quantity other than zero: below, double-double numbers lose digits.
+pub const SMALLEST: f64 = 1e-280;
+
+/// Largest magnitude of a derived quantity: above, double-double products overflow.
+pub const LARGEST: f64 = 1e280;
+
+/// `value` if its magnitude is one that is computed with, or if nothing `acts` that it stands for.
+pub(crate) fn derived(
+    quantity: &'static str,
+    of: &'static [&'static str],
+    value: f64,
+    acts: bool,
+) -> Result<f64> {
+    if !acts || (SMALLEST..=LARGEST).contains(&value.abs()) {
+        Ok(value)
+    } else {
+        Err(Error::Derived { quantity, value, of })
+    }
+}
+
 /// Why a value was refused. Every variant names the field in the words of [`crate::parameter`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -33,12 +53,17 @@ pub enum Error {
         value: f64,
     },
     /// The inputs are allowed one by one, but a quantity made of them overflows or underflows.
-    #[error("{quantity} = {value} made of the given values; it must be an ordinary finite number")]
+    #[error(
+        "{quantity} = {value}, made of {}; allowed are magnitudes from {SMALLEST:e} to {LARGEST:e}",
+        .of.join(", ")
+    )]
     Derived {
         /// Name of the derived quantity.
         quantity: &'static str,
         /// What it came out as, SI.
         value: f64,
+        /// Names of the parameters that it is made of.
+        of: &'static [&'static str],
     },
     /// Newton friction so strong that a swing would take too many steps.
     #[error("newton_rate times amplitude is {value}; allowed is at most {limit}")]

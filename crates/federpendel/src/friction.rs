@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, derived};
 use crate::parameter;
 
 /// Viscous friction, force −D v (article eq. 29).
@@ -33,6 +33,16 @@ pub enum NormalForce {
     Weight(f64),
     /// A force of its own, N.
     Given(f64),
+}
+
+impl NormalForce {
+    /// The force F_N on a body of `mass` (kg), N.
+    pub fn force(self, mass: f64) -> f64 {
+        match self {
+            NormalForce::Weight(gravity) => mass * gravity,
+            NormalForce::Given(force) => force,
+        }
+    }
 }
 
 /// Dry friction, force −sign(v) μ F_N while moving; at rest it holds up to μ_s F_N
@@ -109,10 +119,8 @@ impl Newton {
         parameter::AREA.check(area)?;
         let coefficient = 0.5 * density * drag_coefficient * area;
         let vanishes = density == 0.0 || drag_coefficient == 0.0 || area == 0.0;
-        if !(coefficient.is_normal() || vanishes && coefficient == 0.0) {
-            return Err(Error::Derived { quantity: "newton_coefficient", value: coefficient });
-        }
-        Self::new(coefficient)
+        const OF: &[&str] = &["density", "drag_coefficient", "area"];
+        Self::new(derived("newton_coefficient", OF, coefficient, !vanishes)?)
     }
 
     /// Coefficient ½ρc_wA, kg/m.

@@ -7,7 +7,7 @@ use crate::chain::linear::LinearChain;
 use crate::chain::series::SeriesChain;
 use crate::chain::stop::StopChain;
 use crate::chain::{Chain, Frame, Start};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, derived};
 use crate::oscillator::{Oscillator, State};
 use crate::outcome::Outcome;
 use crate::parameter;
@@ -125,12 +125,10 @@ impl Motion {
     pub fn with_ties(oscillator: Oscillator, release: State, ties: Ties) -> Result<Self> {
         let reduced = oscillator.reduced();
         let amplitude = release.position.abs().max(release.velocity.abs() / reduced.omega0.hi());
-        for (quantity, value) in [("amplitude", amplitude), ("energy", oscillator.energy(release))]
-        {
-            if !(value.is_normal() || amplitude == 0.0) {
-                return Err(Error::Derived { quantity, value });
-            }
-        }
+        const OF: &[&str] = &["mass", "stiffness", "position", "velocity"];
+        let moves = release.position != 0.0 || release.velocity != 0.0;
+        derived("amplitude", OF, amplitude, moves)?;
+        derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
         if drag > STRONGEST_DRAG {
             return Err(Error::DragTooStrong { value: drag, limit: STRONGEST_DRAG });

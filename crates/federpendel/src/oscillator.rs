@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::double::Double;
-use crate::error::{Error, Result};
+use crate::error::{Result, derived};
 use crate::friction::{Friction, NormalForce};
 use crate::parameter;
 
@@ -89,8 +89,8 @@ impl Reduced {
         let damping = friction.stokes.map_or(0.0, |law| law.damping());
         let root = Double::product(stiffness, mass).sqrt();
         let (offset, sticking_offset) = match friction.coulomb {
-            None => (0.0.into(), 0.0.into()),
-            Some(law) => {
+            // Without a coefficient the force may be so large that its product would be no number.
+            Some(law) if law.static_coefficient() > 0.0 => {
                 let force = match law.normal_force() {
                     NormalForce::Weight(gravity) => Double::product(mass, gravity),
                     NormalForce::Given(force) => force.into(),
@@ -98,6 +98,7 @@ impl Reduced {
                 let stretch = force / stiffness;
                 (stretch * law.kinetic(), stretch * law.static_coefficient())
             }
+            _ => (0.0.into(), 0.0.into()),
         };
         let omega0 = (Double::from(stiffness) / mass).sqrt();
         Reduced {
@@ -116,6 +117,33 @@ impl Reduced {
     }
 }
 
+/// Whether all that follows from these values can be computed with.
+fn check_magnitudes(mass: f64, stiffness: f64, friction: &Friction) -> Result<()> {
+    const SPRING: &[&str] = &["mass", "stiffness"];
+    derived("stiffness/mass", SPRING, stiffness / mass, true)?;
+    derived("stiffness*mass", SPRING, stiffness * mass, true)?;
+    if let Some(law) = friction.stokes {
+        const OF: &[&str] = &["mass", "stiffness", "damping"];
+        let ratio = 0.5 * law.damping() / (stiffness * mass).sqrt();
+        derived("damping_ratio", OF, ratio, law.damping() > 0.0)?;
+        // 1 − ζ² must stay in the range too.
+        derived("damping_ratio^2", OF, 1.0 + ratio * ratio, true)?;
+    }
+    if let Some(law) = friction.coulomb {
+        const OF: &[&str] = &["mass", "stiffness", "normal_force", "gravity", "kinetic", "static"];
+        let (kinetic, holding) = (law.kinetic(), law.static_coefficient());
+        let force = law.normal_force().force(mass);
+        derived("normal_force", OF, force, holding > 0.0)?;
+        derived("offset", OF, kinetic * (force / stiffness), kinetic > 0.0)?;
+        derived("sticking_offset", OF, holding * (force / stiffness), holding > 0.0)?;
+    }
+    if let Some(law) = friction.newton {
+        let rate = law.coefficient() / mass;
+        derived("newton_rate", &["mass", "newton_coefficient"], rate, law.coefficient() > 0.0)?;
+    }
+    Ok(())
+}
+
 impl Oscillator {
     /// An oscillator of `mass` m in kg on a spring of `stiffness` C in N/m, both above zero.
     ///
@@ -126,26 +154,8 @@ impl Oscillator {
         let friction = friction.into();
         parameter::MASS.check(mass)?;
         parameter::STIFFNESS.check(stiffness)?;
-        let representable = |quantity, value: f64, acts: bool| {
-            if value.is_normal() || !acts && value == 0.0 {
-                Ok(())
-            } else {
-                Err(Error::Derived { quantity, value })
-            }
-        };
-        // Also C/m and C m, from which double-double takes its roots, must not leave the range.
-        representable("stiffness/mass", stiffness / mass, true)?;
-        representable("stiffness*mass", stiffness * mass, true)?;
+        check_magnitudes(mass, stiffness, &friction)?;
         let reduced = Reduced::new(mass, stiffness, &friction);
-        representable("angular_frequency", f64::from(reduced.omega0), true)?;
-        let mix = friction.mix();
-        let slides = friction.coulomb.is_some_and(|law| law.kinetic() > 0.0);
-        representable("damping_ratio", f64::from(reduced.zeta), mix.stokes)?;
-        // 1 − ζ² must stay in the range too.
-        representable("damping_ratio^2", 1.0 + reduced.zeta.hi().powi(2), true)?;
-        representable("offset", f64::from(reduced.offset), slides)?;
-        representable("sticking_offset", f64::from(reduced.sticking_offset), mix.coulomb)?;
-        representable("newton_rate", reduced.kappa, mix.newton)?;
         Ok(Self { mass, stiffness, friction, reduced })
     }
 

@@ -6,7 +6,7 @@ CREEP = 6.0  # slow e-folds that are followed
 
 
 def problems():
-    return near_critical() + overdamped() + overdamped_with_drag()
+    return near_critical() + overdamped() + overdamped_with_drag() + slow()
 
 
 def near_critical():
@@ -59,3 +59,16 @@ def strongly(mix, ratio, drag, name, x0, v0):
     return problem(mix, f"overdamped-{SHORT[mix]}-{ratio:g}-kappa-{drag:g}-{name}", "overdamped-drag",
                    f"gamma/omega0 = {ratio:g}, kappa = {drag:g}/m" + (", thrown through the centre" if v0 else ""),
                    scaled(mix, 1.0, ratio, 0.03, drag), x0, v0, periods=CREEP * ratio / 3, logarithmic=True)
+
+
+# Ratio, position and velocity for kappa = 1/m, on the slow motion to which every release from rest is drawn: its
+# fast part has died away, while those of the linear motion from there and of what drag adds are large and cancel.
+SLOW = [(1.5, 0.126286816012219, -0.047069516426147), (2, 0.127295105625805, -0.033753491958823), (2.5, 0.127808469136925, -0.026514639392705),
+        (2.95, 0.128069535865125, -0.022276647533364), (3.5, 0.128262683031860, -0.018660225661118), (10, 0.128677327319004, -0.006447937424874)]
+
+
+def slow():
+    return [problem("stokes-newton", f"slow-sn-{ratio:g}", "overdamped-drag",
+                    f"gamma/omega0 = {ratio:g}, released on the slow motion",
+                    scaled("stokes-newton", 1.0, ratio, newton=1.0), x0, v0, periods=CREEP * ratio / 3,
+                    logarithmic=True) for ratio, x0, v0 in SLOW]

@@ -114,7 +114,7 @@ fn keys_of(prefix: &str) -> Vec<&'static str> {
 
 fn unknown_key(key: String, prefix: &str, line: usize) -> Error {
     let allowed = keys_of(prefix);
-    // A key in the wrong section first, then the nearest spelling in this one.
+    // The nearest spelling in this section first, then the same key in another.
     let elsewhere = Field::ALL
         .iter()
         .map(|field| field.path())

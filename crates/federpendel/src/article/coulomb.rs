@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Derivatives, Equation, Formula, Reading, Shape, require};
 use crate::error::{Error, Result};
-use crate::friction::{Mix, NormalForce};
+use crate::friction::Mix;
 use crate::oscillator::{Oscillator, State};
 use crate::parameter;
 
@@ -164,13 +164,8 @@ fn require_coulomb(oscillator: &Oscillator) -> Result<()> {
 
 /// μ F_N of (55), N.
 pub(crate) fn friction_force(oscillator: &Oscillator) -> f64 {
-    oscillator.friction().coulomb.map_or(0.0, |law| {
-        law.kinetic()
-            * match law.normal_force() {
-                NormalForce::Weight(gravity) => oscillator.mass() * gravity,
-                NormalForce::Given(force) => force,
-            }
-    })
+    let law = oscillator.friction().coulomb;
+    law.map_or(0.0, |law| law.kinetic() * law.normal_force().force(oscillator.mass()))
 }
 
 /// x = (A − v_A t) sin(ω0 t + φ).

@@ -212,7 +212,8 @@ impl Formula {
 impl Derivatives {
     fn sample(self, time: f64) -> Result<Sample> {
         let finite = |quantity, value: f64| {
-            if value.is_finite() { Ok(value) } else { Err(Error::Derived { quantity, value }) }
+            let of = &["time"];
+            if value.is_finite() { Ok(value) } else { Err(Error::Derived { quantity, value, of }) }
         };
         Ok(Sample {
             time,

@@ -117,13 +117,13 @@ impl LinearChain {
         let (y, _) = start.framed(self.reduced.offset);
         let mut power = SwingSums::one(self.ratio(), self.reduced.offset);
         let mut total = SwingSums::none();
-        let mut rest = count;
-        while rest > 0 {
-            if rest & 1 == 1 {
+        let mut left = count;
+        while left > 0 {
+            if left & 1 == 1 {
                 total = total.then(&power);
             }
             power = power.then(&power);
-            rest >>= 1;
+            left >>= 1;
         }
         total.at(y)
     }
@@ -235,12 +235,14 @@ impl LinearChain {
         if estimate >= MOST_SWINGS as f64 {
             return Last::Beyond;
         }
-        let mut count = estimate as u64;
-        while count > 1 && over(count - 1) {
-            count -= 1;
+        // Whatever lies within rounding of the band sticks, which can be long before the estimate: halve.
+        let (mut before, mut count) = (0, (estimate as u64).max(1));
+        while !over(count) {
+            (before, count) = (count, 2 * count);
         }
-        while count == 0 || !over(count) {
-            count += 1;
+        while count - before > 1 {
+            let middle = before + (count - before) / 2;
+            if over(middle) { count = middle } else { before = middle }
         }
         Last::At(rest_start.index + count)
     }

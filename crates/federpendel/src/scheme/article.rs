@@ -107,7 +107,8 @@ impl Scheme {
         let bracket = terms.bracket_of_any_mix(position, velocity);
         let first = position + velocity * time_step - 0.5 * terms.step_squared * bracket;
         if !(terms.step_squared.is_normal() && terms.per_step.is_normal()) {
-            return Err(Error::Derived { quantity: "dt^2", value: terms.step_squared });
+            let (quantity, value, of) = ("dt^2", terms.step_squared, &["dt"]);
+            return Err(Error::Derived { quantity, value, of });
         }
         if !first.is_finite() {
             return Err(Error::Diverged { time_step, time: time_step });

@@ -99,7 +99,8 @@ impl Propagator {
         }
         let ratio = -w0 / lead;
         let grown = 2.0 * self.root * ratio;
-        Some(if grown < 1e-8 { ratio } else { grown.ln_1p() / (2.0 * self.root) })
+        // At critical damping itself the logarithm's argument and the root vanish together.
+        Some(if grown == 0.0 { ratio } else { grown.ln_1p() / (2.0 * self.root) })
     }
 }
 
@@ -119,6 +120,18 @@ mod tests {
                 assert!((twice.0 - whole.0).abs() < 4e-16, "{zeta} {tau}");
                 assert!((twice.1 - whole.1).abs() < 4e-15, "{zeta} {tau}");
             }
+        }
+    }
+
+    /// From y = 0 the reversal is at τ = artanh(r/ζ)/r; near critical damping 1/ζ + r²/(3ζ³) to
+    /// fourth order in r = √(ζ² − 1), which needs no difference of nearly equal numbers.
+    #[test]
+    fn reversals_come_in_time_next_to_critical_damping() {
+        for excess in [1e-30, 1e-20, 1e-18, 1e-16, 1e-14, 1e-12, 1e-10] {
+            let zeta = 1.0 + 0.5 * excess;
+            let found = Propagator::new(zeta, -excess).time_to_reversal(0.0, -0.7).unwrap();
+            let expected = 1.0 / zeta + excess / 3.0;
+            assert!((found / expected - 1.0).abs() < 4e-16, "{excess:e}: {found} {expected}");
         }
     }
 

@@ -34,9 +34,9 @@ const ITERATION_LIMIT: usize = 12;
 /// The constants of all swings of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stiff {
-    /// ζ > 1; made for 3 to 1e4.
+    /// ζ > 1; measured from 3 to 1e4, at larger ones only the balance of energy is.
     pub zeta: f64,
-    /// κ ≥ 0, 1/m; made for κ·`amplitude` up to 1e3.
+    /// κ ≥ 0, 1/m; measured for κ·`amplitude` up to 1e3, up to 1e5 by the balance of energy.
     pub kappa: f64,
     /// Amplitude of the whole motion, m, that errors are measured by.
     pub amplitude: f64,

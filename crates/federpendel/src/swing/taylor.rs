@@ -146,16 +146,17 @@ impl Taylor {
         (series.y[1], series.z[1], series.p[1]) = (l1 + z1, z1, series.l_slope + series.q);
         orders!(series, FUSED: 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23);
         let Recurrence { y, z, p, .. } = series;
-        Expansion { radius: self.radius(&y), y, z, p }
+        Expansion { radius: self.radius(&y, &z), y, z, p }
     }
 
-    /// How far a series may be trusted, from the size of its last two coefficients.
+    /// How far the series may be trusted, from the size of their last two coefficients. z has its own say:
+    /// with strong damping a slow motion is the sum of an L and a z whose fast parts cancel in y.
     #[inline(always)]
-    fn radius(&self, y: &[f64; DEGREE + 1]) -> f64 {
+    fn radius(&self, y: &[f64; DEGREE + 1], z: &[f64; DEGREE + 1]) -> f64 {
         let truncation = if self.propagator.zeta() > 0.5 { TRUNCATION_DAMPED } else { TRUNCATION };
         let size = truncation * y[0].abs().max(y[1].abs());
         let reach = |n: usize, farthest: f64| {
-            let ratio = size / (n as f64 * y[n].abs());
+            let ratio = size / (n as f64 * y[n].abs().max(z[n].abs()));
             // Six digits of the root will do, unless the ratio is none in single precision.
             let rough = ratio as f32;
             if ratio >= farthest {

@@ -183,15 +183,16 @@ impl<'a> Document<'a> {
 fn oscillator(record: &Record) -> OscillatorFields {
     let oscillator = record.motion.oscillator();
     let friction = oscillator.friction();
-    let (gravity, normal_force) = match record.experiment.normal_force {
-        NormalForce::Weight(gravity) => (Some(gravity), oscillator.mass() * gravity),
-        NormalForce::Given(force) => (None, force),
+    let normal_force = record.experiment.normal_force;
+    let gravity = match normal_force {
+        NormalForce::Weight(gravity) => Some(gravity),
+        NormalForce::Given(_) => None,
     };
     OscillatorFields {
         mass: oscillator.mass(),
         stiffness: oscillator.stiffness(),
         gravity,
-        normal_force,
+        normal_force: normal_force.force(oscillator.mass()),
         damping: friction.stokes.map_or(0.0, |law| law.damping()),
         kinetic: friction.coulomb.map_or(0.0, |law| law.kinetic()),
         static_: friction.coulomb.map_or(0.0, |law| law.static_coefficient()),
