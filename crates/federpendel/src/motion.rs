@@ -127,6 +127,8 @@ impl Motion {
         let amplitude = release.position.abs().max(release.velocity.abs() / reduced.omega0.hi());
         const OF: &[&str] = &["mass", "stiffness", "position", "velocity"];
         let moves = release.position != 0.0 || release.velocity != 0.0;
+        derived("position", &["position"], release.position, release.position != 0.0)?;
+        derived("velocity", &["velocity"], release.velocity, release.velocity != 0.0)?;
         derived("amplitude", OF, amplitude, moves)?;
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;

@@ -125,6 +125,7 @@ fn check_magnitudes(mass: f64, stiffness: f64, friction: &Friction) -> Result<()
     if let Some(law) = friction.stokes {
         const OF: &[&str] = &["mass", "stiffness", "damping"];
         let ratio = 0.5 * law.damping() / (stiffness * mass).sqrt();
+        derived("damping", &["damping"], law.damping(), law.damping() > 0.0)?;
         derived("damping_ratio", OF, ratio, law.damping() > 0.0)?;
         // 1 − ζ² must stay in the range too.
         derived("damping_ratio^2", OF, 1.0 + ratio * ratio, true)?;
@@ -133,6 +134,9 @@ fn check_magnitudes(mass: f64, stiffness: f64, friction: &Friction) -> Result<()
         const OF: &[&str] = &["mass", "stiffness", "normal_force", "gravity", "kinetic", "static"];
         let (kinetic, holding) = (law.kinetic(), law.static_coefficient());
         let force = law.normal_force().force(mass);
+        derived("static", &["static"], holding, holding > 0.0)?;
+        derived("kinetic", &["kinetic"], kinetic, kinetic > 0.0)?;
+        derived("gravity", &["gravity", "normal_force", "mass"], force / mass, holding > 0.0)?;
         derived("normal_force", OF, force, holding > 0.0)?;
         derived("offset", OF, kinetic * (force / stiffness), kinetic > 0.0)?;
         derived("sticking_offset", OF, holding * (force / stiffness), holding > 0.0)?;
