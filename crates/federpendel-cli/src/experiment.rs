@@ -4,6 +4,7 @@ mod draft;
 mod error;
 mod field;
 mod file;
+mod repair;
 mod resolve;
 mod syntax;
 
