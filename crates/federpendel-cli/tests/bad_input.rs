@@ -226,7 +226,7 @@ fn outputs() {
     workplace.folder("folder.csv");
     let finished = workplace.run(&["simulate", "-o", "a.csv", "-o", "folder.csv"]);
     assert_eq!(finished.status, Some(2));
-    assert!(finished.err.contains("folder.csv is a folder"), "{}", finished.err);
+    assert!(finished.err.contains("“folder.csv” is a folder"), "{}", finished.err);
     assert_eq!(workplace.files(), ["folder.csv"]);
 }
 
