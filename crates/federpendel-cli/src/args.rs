@@ -78,6 +78,7 @@ pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String
 /// One sentence that names what is wrong and what is allowed.
 pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Request, Failure> {
     let command = command::command(catalogue);
+    let arguments = &asked_for_help(arguments);
     if let Some(flag) = missing::value(arguments, &command) {
         let variables = [("argument", flag.into())];
         return Err(Failure::Input(catalogue.format("cli-missing-value", &variables)));
@@ -90,7 +91,14 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
                 ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
                     Ok(Request::Print(printed(&error)))
                 }
-                _ => Err(Failure::Input(refuse::sentence(&error, catalogue))),
+                ErrorKind::MissingSubcommand
+                | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+                    Err(Failure::NoCommand(command::command(catalogue).render_help()))
+                }
+                _ => {
+                    let simulates = arguments.iter().any(|word| word == "simulate");
+                    Err(Failure::Input(refuse::sentence(&error, simulates, catalogue)))
+                }
             };
         }
     };
@@ -103,6 +111,25 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),
     })
+}
+
+/// `help simulate` as `simulate --help`, which says the same in clap's own way.
+fn asked_for_help(arguments: &[OsString]) -> Vec<OsString> {
+    let mut arguments = arguments.to_vec();
+    let mut at = 1;
+    while let Some(word) = arguments.get(at).and_then(|word| word.to_str()) {
+        match word {
+            "--lang" => at += 2,
+            word if word.starts_with("--lang=") => at += 1,
+            "help" => {
+                arguments.remove(at);
+                arguments.push("--help".into());
+                break;
+            }
+            _ => break,
+        }
+    }
+    arguments
 }
 
 /// Help as it suits standard output.

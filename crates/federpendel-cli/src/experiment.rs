@@ -4,6 +4,7 @@ mod draft;
 mod error;
 mod field;
 mod file;
+mod repair;
 mod resolve;
 mod syntax;
 
@@ -17,6 +18,9 @@ use federpendel::{NormalForce, Oscillator, State};
 
 /// The experiment that runs when no file is given.
 pub const BUILT_IN: &str = include_str!("experiment/built-in.toml");
+
+/// A file that says all that one can say, for the help.
+pub const EXAMPLE: &str = include_str!("experiment/example.toml");
 
 /// A complete experiment, checked.
 #[derive(Debug, Clone, PartialEq)]

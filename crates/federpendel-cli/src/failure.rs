@@ -3,6 +3,7 @@
 use std::io;
 use std::process::ExitCode;
 
+use clap::builder::StyledStr;
 use console::style;
 use federpendel_text::Catalogue;
 
@@ -13,6 +14,8 @@ pub(crate) enum Failure {
     Input(String),
     /// The system refuses; the sentence says what. Exit status 1.
     System(String),
+    /// Nothing is asked for; the help says what can be. Exit status 2.
+    NoCommand(StyledStr),
     /// The reader of our output has seen enough. Quiet, and no failure to the shell.
     BrokenPipe,
 }
@@ -44,6 +47,12 @@ impl Failure {
         let (sentence, status) = match self {
             Failure::Input(sentence) => (sentence, 2),
             Failure::System(sentence) => (sentence, 1),
+            Failure::NoCommand(help) => {
+                let colours = console::colors_enabled_stderr();
+                let text = if colours { help.ansi().to_string() } else { help.to_string() };
+                eprint!("{text}");
+                return ExitCode::from(2);
+            }
             Failure::BrokenPipe => return ExitCode::SUCCESS,
         };
         let label = style(catalogue.text("cli-error")).for_stderr().red().bold();

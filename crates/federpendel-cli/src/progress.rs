@@ -28,6 +28,11 @@ impl Progress {
         Self::start(catalogue.text("cli-writing"), 0)
     }
 
+    /// Work that is known to be short.
+    pub(crate) fn silent() -> Self {
+        Self { bar: ProgressBar::hidden(), done: None, waiter: None }
+    }
+
     fn start(message: String, steps: u64) -> Self {
         let length = (steps > 0).then_some(steps);
         let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::hidden());

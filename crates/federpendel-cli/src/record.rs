@@ -1,5 +1,6 @@
 //! The record of a motion: its samples, and how long it is.
 
+mod drawn;
 mod duration;
 mod method;
 mod remark;

@@ -48,14 +48,30 @@ fn with(section: &str, line: &str) -> String {
 
 #[test]
 fn units_and_numbers() {
-    flags_say(&["--mass", "250 m"], &["--mass", "\"250 m\"", "a length", "a mass (kg, g"]);
+    flags_say(&["--mass", "250 m"], &["--mass", "“250 m”", "a length", "a mass (kg, g"]);
     flags_say(&["--mass", "5 kgg"], &["--mass", "“kgg”", "“kg”"]);
-    flags_say(&["--mass", "1,000 kg"], &["--mass", "1 or 1000"]);
+    flags_say(
+        &["--mass", "1,000 kg"],
+        &["--mass", "1 or 1000; write 1.0 (or 1,0) for the one, 1000 for"],
+    );
+    let readings = "4.905 or 4905; write 4.905 (or 4,9050) for the one, 4905 for the other";
+    flags_say(&["--position", "4,905 mm"], &["“4,905 mm”", readings]);
+    for (written, position) in
+        [("4.905 mm", "0.004905"), ("4,9050 mm", "0.004905"), ("4905", "4905")]
+    {
+        let arguments = ["simulate", "--format", "csv", "--samples", "2", "--position", written];
+        let out = Workplace::new().run(&arguments).out;
+        assert!(out.contains(&format!("\n0,{position},")), "{out}");
+    }
+    flags_say(&["--stiffness", "12 N/M"], &["the unit “N/M” is unknown, the nearest is “N/m”"]);
     flags_say(&["--mass", "1.000,5 kg"], &["1000.5"]);
     for number in ["nan", "inf", "-inf", "1e400", "1e-400", "", "kg", "1 2 kg"] {
-        flags_say(&["--mass", number], &["--mass", &format!("\"{number}\""), "a mass"]);
+        flags_say(&["--mass", number], &["--mass", &format!("“{number}”"), "a mass"]);
     }
-    file_says(&with("oscillator", "gravity = nan"), &["my.toml:2:", "oscillator.gravity is nan"]);
+    file_says(
+        &with("oscillator", "gravity = nan"),
+        &["my.toml:2:", "oscillator.gravity is “nan”:"],
+    );
     file_says(
         &with("release", "velocity = \"3 kg\""),
         &["my.toml:6:", "release.velocity", "a mass"],
@@ -96,6 +112,14 @@ fn what_does_not_go_together() {
         &with("friction", "newton = { density = 1, coefficient = 1 }"),
         &["friction.newton.density", "friction.newton.coefficient", "only one"],
     );
+    flags_say(
+        &["--area", "3 cm²"],
+        &["--area is “3 cm²”", "--density, --drag-coefficient and --area, or --newton-coefficient"],
+    );
+    file_says(
+        &with("friction", "newton = { area = 1 }"),
+        &["needs density, drag_coefficient and area, or coefficient alone"],
+    );
     flags_say(&["--gravity", "9.81", "--normal-force", "3"], &["--gravity", "--normal-force"]);
     file_says(
         &with("oscillator", "gravity = 1\nnormal_force = 2"),
@@ -112,6 +136,15 @@ fn what_does_not_go_together() {
 fn unknown_words() {
     flags_say(&["--masss", "1"], &["--masss", "--mass?"]);
     flags_say(&["--format", "xml"], &["--format", "xml", "summary, csv, json"]);
+    flags_say(&["--method", "articel-scheme"], &["“articel-scheme”", "article-scheme?"]);
+    flags_say(&["--format", "jsn"], &["“jsn”; did you mean json?"]);
+    flags_say(&["--csv-dialect", "germna"], &["german?"]);
+    flags_say(&["other.toml", "more.toml"], &["“more.toml”", "only one experiment file is"]);
+    for (command, near) in [("simulat", Some("simulate?")), ("Man", Some("man?")), ("run", None)] {
+        let Finished { status, err, .. } = Workplace::new().run(&[command]);
+        assert_eq!(status, Some(2));
+        assert!(err.contains(near.unwrap_or("simulate, completions, man")), "{err}");
+    }
     flags_say(&["--lang", "fr"], &["--lang", "fr", "en, de"]);
     file_says(
         &with("oscillator", "mas = 1"),
@@ -130,7 +163,7 @@ fn a_flag_is_no_value_of_the_flag_before_it() {
         }
     }
     flags_say(&["--method", "article-scheme", "--dt", "--details"], &["--dt has no value"]);
-    flags_say(&["--position", "-5 kg"], &["--position", "\"-5 kg\"", "a mass"]);
+    flags_say(&["--position", "-5 kg"], &["--position", "“-5 kg”", "a mass"]);
     for position in ["-5cm", "-5 cm", "-.05", "-0,05 m"] {
         let workplace = Workplace::new();
         let finished =
@@ -173,7 +206,8 @@ fn files_that_are_not_toml() {
         ("mass = 300 g", ":2: mass = 300 g ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma"),
         ("mass = 1", "mass steht zweimal da"),
         ("mass = \"300 g", "das schließende Anführungszeichen"),
-        ("[oscillator", "fehlt die schließende Klammer"),
+        ("[oscillator", "fehlt die schließende Klammer; richtig wäre: [oscillator]"),
+        ("mass = „250 g“", "nur gerade: mass = \"250 g\""),
         ("gravity =", "Hinter „=“ steht kein Wert"),
     ] {
         let file = with("oscillator", line);
@@ -192,14 +226,14 @@ fn outputs() {
     workplace.folder("folder.csv");
     let finished = workplace.run(&["simulate", "-o", "a.csv", "-o", "folder.csv"]);
     assert_eq!(finished.status, Some(2));
-    assert!(finished.err.contains("folder.csv is a folder"), "{}", finished.err);
+    assert!(finished.err.contains("“folder.csv” is a folder"), "{}", finished.err);
     assert_eq!(workplace.files(), ["folder.csv"]);
 }
 
 #[test]
 fn what_the_system_refuses() {
     let message = refused(1, &["-o", "nowhere/motion.svg"], None);
-    assert!(message.contains("nowhere/motion.svg"), "{message}");
+    assert!(message.contains("“nowhere/motion.svg”: the folder “nowhere” is"), "{message}");
     let finished = Workplace::new().run(&["simulate", "nowhere.toml"]);
     assert_eq!(finished.status, Some(1));
     assert!(finished.err.contains("nowhere.toml"), "{}", finished.err);
@@ -210,9 +244,9 @@ fn every_refusal_speaks_german_too() {
     for (arguments, part) in [
         (&["--mass", "250 m"][..], "eine Länge; erlaubt ist eine Masse"),
         (&["--masss", "1"], "war --mass gemeint?"),
-        (&["--static", "0,01"], "erlaubt ist mindestens"),
+        (&["--static", "0,01"], "--static ist „0,01“; erlaubt ist mindestens"),
         (&["--samples", "1e15"], "passen höchstens"),
-        (&["-o", "motion.txt"], "Endung"),
+        (&["-o", "motion.txt"], "--output „motion.txt“ hat eine unbekannte Dateiendung"),
     ] {
         let message = refused(2, &[&["--lang", "de"], arguments].concat(), None);
         assert!(message.starts_with("Fehler: ") && message.contains(part), "{message}");

@@ -4,6 +4,10 @@
 
 term-turning-point = Umkehrpunkt
 
+### Anführungszeichen um das, was eingegeben wurde
+
+quoted = „{ $text }“
+
 ### Anzahlen
 
 count-swings = { $swings ->
@@ -36,7 +40,7 @@ parameter-area = Stirnfläche
 parameter-newton-coefficient = Newtonscher Reibungskoeffizient
     .description = Koeffizient der Newtonschen (quadratischen) Reibung: Kraft je Geschwindigkeitsquadrat
 parameter-position = Auslenkung
-    .description = Auslenkung beim Loslassen, von der entspannten Lage der Feder aus
+    .description = Auslenkung beim Loslassen, von der entspannten Lage der Feder aus; hängend: von der Ruhelage aus
 parameter-velocity = Geschwindigkeit
     .description = Geschwindigkeit beim Loslassen
 parameter-duration = Dauer
@@ -81,7 +85,9 @@ error-length = { $name } hat { $found ->
    *[other] { $found } Elemente
 }; nötig sind { $expected }
 error-order = { $name } enthält { $value } nach { $before }; erlaubt ist eine Reihenfolge, die nicht fällt
-error-no-such-solution = Die Lösung { $solution } des Artikels gilt hier nicht; die Dämpfung ist: { $regime }
+error-no-such-solution = Im Artikel gilt die Lösung { $solution } hier nicht; die Dämpfung ist: { $regime }
+solution-overdamped = für den Kriechfall
+solution-critical = für den aperiodischen Grenzfall
 error-no-phase = Auslenkung und Geschwindigkeit sind 0; eine Phase (Gleichung 77 des Artikels) braucht eine von 0 verschiedene
 error-diverged = { $name } ist { $step }; damit läuft das Verfahren bei { $time } davon, ein kleinerer Schritt kann halten
 error-too-many-steps = { $name } ist { $step }; bis { $time } sind das { $steps } Schritte, höchstens { $limit } werden gerechnet
@@ -103,15 +109,15 @@ mix-all = Stokessche, Coulombsche und Newtonsche Reibung
 regime-undamped = ungedämpft
 regime-underdamped = schwach gedämpft
 regime-critical = aperiodischer Grenzfall
-regime-overdamped = stark gedämpft (Kriechfall)
+regime-overdamped = Kriechfall
 
 ### Woher man die Bewegung kennt
 
 kind-closed-form = exakt, in geschlossener Form
 kind-first-integral = exakte Umkehrpunkte, aus einem ersten Integral
-kind-series = Reihe, bis auf Rundung
+kind-series = Reihe, auf Rundung genau
 motion-exact = exakte Bewegung
-motion-to-rounding = Bewegung bis auf Rundung
+motion-to-rounding = Bewegung, auf Rundung genau
 
 ### Wie die Bewegung endet
 
@@ -135,7 +141,7 @@ plot-axis-pure = { $name } { $symbol }
 plot-time = Zeit
 plot-position = Auslenkung
 plot-exact-motion = Exakte Bewegung
-plot-motion-to-rounding = Bewegung bis auf Rundung
+plot-motion-to-rounding = Bewegung (auf Rundung genau)
 plot-envelope = Einhüllende
 plot-turning-points = Umkehrpunkte
 plot-rest = Ruhe: { $time }, { $position }
@@ -166,7 +172,7 @@ dimension-pressure = ein Druck
 quantity-empty = es fehlt die Angabe
 quantity-too-long = die Angabe hat { $length } Bytes, mehr als { $limit }
 quantity-no-number = am Anfang steht keine Zahl
-quantity-ambiguous = die Zahl kann { $decimal } oder { $grouped } bedeuten; bitte die gemeinte schreiben
+quantity-ambiguous = die Zahl kann { $decimal } oder { $grouped } bedeuten; für das eine bitte { $comma } (oder { $point }) schreiben, für das andere { $grouped }
 quantity-grouped = Zahlen schreibt man hier ohne Tausendertrennzeichen, etwa { $plain }
 quantity-not-finite = das ist keine endliche Zahl
 quantity-overflow = die Zahl ist zu groß für doppelte Genauigkeit
@@ -183,17 +189,18 @@ experiment-too-large = Die Datei ist größer als { $limit } Bytes; mehr wird ni
 experiment-not-utf8 = Die Datei ist kein UTF-8-Text (Byte { $offset }); erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
 experiment-empty = Die Datei ist leer; erlaubt ist eine TOML-Datei mit den Abschnitten { $sections }
 toml-unquoted = { $key } = { $value } ist kein TOML; eine Zahl mit Einheit oder Dezimalkomma muss in Anführungszeichen stehen: { $key } = "{ $value }"
-toml-unquoted-text = Das ist kein TOML: Ein Wert, der keine bloße Zahl ist, muss in Anführungszeichen stehen: mass = "300 g"
+toml-typographic = Das ist kein TOML: Typographische Anführungszeichen gelten dort nicht, nur gerade: { $example }
+toml-unquoted-text = Das ist kein TOML: Ein Wert, der keine bloße Zahl ist, muss in Anführungszeichen stehen: { $example }
 toml-twice = Das ist kein TOML: { $key } steht zweimal da; erlaubt ist einmal
-toml-bad-text = Das ist kein TOML: Einem Text fehlt das schließende Anführungszeichen, oder er enthält unerlaubte Zeichen; richtig wäre: mass = "300 g"
-toml-unclosed-section = Das ist kein TOML: Dem Namen eines Abschnitts fehlt die schließende Klammer; richtig wäre: [oscillator]
-toml-unclosed-table = Das ist kein TOML: Die schließende geschweifte Klammer fehlt; richtig wäre: stokes = {"{"} damping = 0.2 {"}"}
+toml-bad-text = Das ist kein TOML: Einem Text fehlt das schließende Anführungszeichen, oder er enthält unerlaubte Zeichen; richtig wäre: { $example }
+toml-unclosed-section = Das ist kein TOML: Dem Namen eines Abschnitts fehlt die schließende Klammer; richtig wäre: { $example }
+toml-unclosed-table = Das ist kein TOML: Die schließende geschweifte Klammer fehlt; richtig wäre: { $example }
 toml-unclosed-list = Das ist kein TOML: Die schließende Klammer einer Liste fehlt; ein Versuch braucht keine Listen
-toml-no-equals = Das ist kein TOML: Auf einen Schlüssel müssen „=“ und ein Wert folgen: mass = 0.5
-toml-no-value = Das ist kein TOML: Hinter „=“ steht kein Wert; richtig wäre: mass = 0.5
-toml-bad-key = Das ist kein TOML: Vor „=“ muss ein Schlüssel aus einfachen Buchstaben stehen: mass = 0.5
-toml-comma = Das ist kein TOML: Zwischen zwei Werten in geschweiften Klammern muss genau ein Komma stehen: {"{"} kinetic = 0.02, static = 0.03 {"}"}
-toml-bad-number = Das ist kein TOML: So darf eine Zahl in TOML nicht geschrieben sein; in Anführungszeichen ist mehr erlaubt: mass = "0,5 kg"
+toml-no-equals = Das ist kein TOML: Auf einen Schlüssel müssen „=“ und ein Wert folgen: { $example }
+toml-no-value = Das ist kein TOML: Hinter „=“ steht kein Wert; richtig wäre: { $example }
+toml-bad-key = Das ist kein TOML: Vor „=“ muss ein Schlüssel aus einfachen Buchstaben stehen: { $example }
+toml-comma = Das ist kein TOML: Zwischen zwei Werten in geschweiften Klammern muss genau ein Komma stehen: { $example }
+toml-bad-number = Das ist kein TOML: So darf eine Zahl in TOML nicht geschrieben sein; in Anführungszeichen ist mehr erlaubt: { $example }
 toml-trailing = Das ist kein TOML: Hinter dem Ende eines Werts oder Abschnitts steht noch etwas; jeder Schlüssel beginnt eine eigene Zeile
 toml-too-deep = Dieses TOML lässt sich nicht lesen: zu viele Klammern oder Punkte ineinander
 toml-other = Das ist kein TOML (die Leseroutine sagt auf Englisch: { $problem })
@@ -207,7 +214,7 @@ experiment-too-many-samples = { $name } ist { $value }; in den freien Speicher p
 experiment-both = { $name } ist { $value } und { $other } ist { $otherValue }; nur eines von beiden darf angegeben sein
 experiment-static-below-kinetic = { $name } ist { $value }; erlaubt ist mindestens { $other }, { $otherValue }
 experiment-static-without-kinetic = { $name } ist { $value }, aber { $missing } fehlt; Haftreibung ist nur neben Gleitreibung erlaubt
-experiment-incomplete = { $name } ist { $value }, aber { $missing } fehlt; Newtonsche Reibung braucht density, drag_coefficient und area, oder coefficient allein
+experiment-incomplete = { $name } ist { $value }, aber { $missing } fehlt; Newtonsche Reibung braucht { $density }, { $drag } und { $area }, oder { $coefficient } allein
 experiment-no-normal-force = { $name } ist { $value }; die Coulombsche Reibung braucht eine Normalkraft größer als 0
 
 ### Die Kommandozeile
@@ -235,14 +242,20 @@ cli-lang = Sprache aller Texte: de oder en (Vorgabe: aus der Umgebung)
 cli-simulate = Die Bewegung eines Versuchs berechnen
 cli-completions = Vervollständigungen für eine Shell auf die Standardausgabe schreiben
 cli-man = Die Handbuchseite auf die Standardausgabe schreiben
+man-name = BEZEICHNUNG
+man-synopsis = ÜBERSICHT
+man-description = BESCHREIBUNG
+man-extra = BEISPIELE
+man-version = VERSION
 cli-shell = bash, elvish, fish, powershell oder zsh
 cli-experiment = Versuchsdatei, „-“ für die Standardeingabe; ohne sie läuft der eingebaute Versuch: 0,5 kg an 20 N/m, losgelassen bei 10 cm, Gleitreibungszahl 0,02
 cli-method = Verfahren, das die Abtastwerte berechnet: { $methods } (Vorgabe: exact)
 cli-dt = Zeitschritt von article-scheme (Vorgabe: ein Tausendstel der Periode)
-cli-output = Eine Datei schreiben; ihre Endung bestimmt die Form: { $forms }; „-“ ist die Standardausgabe. Mehrfach möglich
+cli-experiment-file = Eine Versuchsdatei ist TOML; ein Wert ist eine Zahl und ihre Einheit in Anführungszeichen, eine bloße Zahl gilt in SI-Einheiten. Nur mass, stiffness und position müssen angegeben sein. Statt gravity darf normal_force stehen, statt density, drag_coefficient und area ein coefficient in newton.
+cli-output = Eine Datei schreiben; ihre Endung bestimmt das Format: { $forms }; „-“ ist die Standardausgabe. Mehrfach möglich
 cli-format = Was auf die Standardausgabe kommt: summary (Vorgabe), csv oder json
 cli-csv-dialect = standard (Vorgabe), oder german mit Semikolons und Dezimalkommas
-cli-details = Die Zusammenfassung alles sagen lassen
+cli-details = Ausführliche Zusammenfassung
 cli-examples =
     Beispiele:
       federpendel simulate
@@ -268,26 +281,33 @@ cli-man-examples =
 cli-unknown-argument = { $argument } ist unbekannt; federpendel --help zeigt, was erlaubt ist
 cli-unknown-argument-near = { $argument } ist unbekannt; war { $nearest } gemeint?
 cli-unknown-command = { $argument } ist kein Befehl; erlaubt sind { $allowed }
-cli-missing-command = Es fehlt ein Befehl; erlaubt sind { $allowed }
+cli-unknown-command-near = { $argument } ist kein Befehl; war { $nearest } gemeint?
+cli-invalid-value-near = { $argument } ist „{ $value }“; war { $nearest } gemeint? Erlaubt sind { $allowed }
+cli-second-file = „{ $argument }“ ist eine Datei zu viel: Nur eine Versuchsdatei ist erlaubt
 cli-missing-value = { $argument } hat keinen Wert; es muss einer folgen
 cli-invalid-value = { $argument } ist „{ $value }“; erlaubt sind { $allowed }
 cli-given-twice = { $argument } ist zweimal angegeben; erlaubt ist einmal
 cli-missing-argument = { $argument } fehlt; erlaubt sind { $allowed }
 cli-no-value-allowed = { $argument } ist „{ $value }“; hier ist kein Wert erlaubt
 cli-argument-not-utf8 = Ein Argument ist kein UTF-8-Text
-cli-output-twice = --output { $name } nennt eine Datei, die dieser Aufruf schon benutzt
-cli-output-folder = --output { $name } ist ein Ordner; erlaubt ist eine Datei
-cli-output-special = --output { $name } ist keine gewöhnliche Datei
-cli-output-extension = --output { $name } hat eine Endung, zu der keine Form gehört; erlaubt sind { $allowed }
+cli-output-twice = --output „{ $name }“ nennt eine Datei, die dieser Aufruf schon benutzt
+cli-output-folder = --output „{ $name }“ ist ein Ordner; erlaubt ist eine Datei
+cli-output-nowhere = --output „{ $name }“: der Ordner „{ $folder }“ fehlt
+cli-output-special = --output „{ $name }“ ist keine gewöhnliche Datei
+cli-output-extension = --output „{ $name }“ hat eine unbekannte Dateiendung; erlaubt sind { $allowed }
 
 ### Die Zusammenfassung
 
 summary-sentence = Die Masse { $outcome }.
 summary-tie = Ihre letzte Halbschwingung endet auf der Kante des Haftbereichs; im Rahmen der Rundung der angegebenen Zahlen haftet sie dort.
+summary-tie-at-release = Losgelassen wird sie auf der Kante des Haftbereichs; im Rahmen der Rundung der angegebenen Zahlen haftet sie dort.
 summary-none = keine
+summary-given-row = Angegeben
 summary-friction = Reibung
 summary-period = Periode
 summary-period-value = { $period } (Frequenz { $frequency })
+summary-period-small-value = { $period } bei kleinen Ausschlägen (Frequenz { $frequency })
+summary-period-small = Periode bei kleinen Ausschlägen
 summary-damping = Dämpfungsgrad
 summary-damping-value = { $ratio } ({ $regime })
 summary-energy = Energie
@@ -318,11 +338,14 @@ summary-point-time = t in s
 summary-point-position = x in m
 output-too-many-points = Die Aufzeichnung von { $duration } enthält etwa { $number } Umkehrpunkte; in einer JSON-Datei stehen höchstens { $limit }. Erlaubt ist eine kürzere Dauer
 summary-deviation = { $method } weicht von dieser Bewegung um bis zu { $distance } ab, am meisten bei { $time }.
+summary-agrees = { $method } stimmt mit dieser Bewegung auf Rundung genau überein.
 summary-method-equation = { $method }, Gleichung { $equation }
+summary-method-overdamped = { $method }, die Lösung des Artikels für den Kriechfall
+summary-method-critical = { $method }, die Lösung des Artikels für den aperiodischen Grenzfall
 summary-method-steps = { $method }, Schritte von { $step }
 summary-method-interpolated = { $method }, Schritte von { $step }; Werte zwischen den Schritten sind interpoliert
-cli-dt-without-scheme = --dt ist "{ $value }", aber das Verfahren ist { $method }; ein Zeitschritt ist nur bei --method article-scheme erlaubt
-cli-not-found = keine solche Datei, kein solcher Ordner
+cli-dt-without-scheme = --dt ist „{ $value }“, aber das Verfahren ist { $method }; ein Zeitschritt ist nur bei --method article-scheme erlaubt
+cli-not-found = Datei oder Ordner nicht gefunden
 cli-permission-denied = keine Berechtigung
 cli-is-a-folder = das ist ein Ordner, keine Datei
 cli-storage-full = kein Platz mehr auf dem Datenträger

@@ -4,6 +4,10 @@
 
 term-turning-point = turning point
 
+### Quotes around what was typed
+
+quoted = “{ $text }”
+
 ### Counts
 
 count-swings = { $swings ->
@@ -36,7 +40,7 @@ parameter-area = area
 parameter-newton-coefficient = Newton coefficient
     .description = Coefficient of Newton (quadratic) friction: force per velocity squared
 parameter-position = position
-    .description = Position of release, from the place where the spring is relaxed
+    .description = Position of release, from where the spring is relaxed; hanging: from where it hangs at rest
 parameter-velocity = velocity
     .description = Velocity of release
 parameter-duration = duration
@@ -82,6 +86,8 @@ error-length = { $name } has { $found ->
 }; { $expected } are needed
 error-order = { $name } holds { $value } after { $before }; allowed is an order that does not fall
 error-no-such-solution = The article’s solution { $solution } does not hold here; the oscillator is { $regime }
+solution-overdamped = for overdamped motion
+solution-critical = for critical damping
 error-no-phase = Position and velocity are 0; a phase (equation 77 of the article) needs one that is not
 error-diverged = { $name } is { $step }; with it the scheme diverges at { $time }, a smaller step may hold
 error-too-many-steps = { $name } is { $step }; up to { $time } that makes { $steps } steps, at most { $limit } are taken
@@ -166,7 +172,7 @@ dimension-pressure = a pressure
 quantity-empty = nothing is given
 quantity-too-long = it has { $length } bytes, more than { $limit }
 quantity-no-number = it does not begin with a number
-quantity-ambiguous = the number may mean { $decimal } or { $grouped }; write the one that is meant
+quantity-ambiguous = the number can mean { $decimal } or { $grouped }; write { $point } (or { $comma }) for the one, { $grouped } for the other
 quantity-grouped = numbers are written without thousands separators, perhaps { $plain }
 quantity-not-finite = it is not a finite number
 quantity-overflow = it is too large for a number of double precision
@@ -183,17 +189,18 @@ experiment-too-large = The file is larger than { $limit } bytes, the most that i
 experiment-not-utf8 = The file is not UTF-8 text (byte { $offset }); allowed is a TOML file with the sections { $sections }
 experiment-empty = The file is empty; allowed is a TOML file with the sections { $sections }
 toml-unquoted = { $key } = { $value } is not TOML; a number with a unit or a decimal comma must stand in quotes: { $key } = "{ $value }"
-toml-unquoted-text = This is not TOML: a value that is no plain number must stand in quotes: mass = "300 g"
+toml-typographic = This is not TOML: typographic quotes mean nothing there, only straight ones do: { $example }
+toml-unquoted-text = This is not TOML: a value that is no plain number must stand in quotes: { $example }
 toml-twice = This is not TOML: { $key } stands twice; allowed is once
-toml-bad-text = This is not TOML: a text lacks its closing quote or holds signs that are not allowed; written rightly: mass = "300 g"
-toml-unclosed-section = This is not TOML: the name of a section lacks its closing bracket; written rightly: [oscillator]
-toml-unclosed-table = This is not TOML: the closing brace is missing; written rightly: stokes = {"{"} damping = 0.2 {"}"}
+toml-bad-text = This is not TOML: a text lacks its closing quote or holds signs that are not allowed; written rightly: { $example }
+toml-unclosed-section = This is not TOML: the name of a section lacks its closing bracket; written rightly: { $example }
+toml-unclosed-table = This is not TOML: the closing brace is missing; written rightly: { $example }
 toml-unclosed-list = This is not TOML: the closing bracket of a list is missing; an experiment needs no lists
-toml-no-equals = This is not TOML: “=” and a value must follow a key: mass = 0.5
-toml-no-value = This is not TOML: no value stands behind “=”; written rightly: mass = 0.5
-toml-bad-key = This is not TOML: a key of plain letters must stand before “=”: mass = 0.5
-toml-comma = This is not TOML: one comma must stand between two values in braces: {"{"} kinetic = 0.02, static = 0.03 {"}"}
-toml-bad-number = This is not TOML: the number is not written as TOML allows; in quotes more is allowed: mass = "0,5 kg"
+toml-no-equals = This is not TOML: “=” and a value must follow a key: { $example }
+toml-no-value = This is not TOML: no value stands behind “=”; written rightly: { $example }
+toml-bad-key = This is not TOML: a key of plain letters must stand before “=”: { $example }
+toml-comma = This is not TOML: one comma must stand between two values in braces: { $example }
+toml-bad-number = This is not TOML: the number is not written as TOML allows; in quotes more is allowed: { $example }
 toml-trailing = This is not TOML: something stands behind the end of a value or a section; every key begins a line of its own
 toml-too-deep = This is not TOML that can be read: too many brackets or dots within one another
 toml-other = This is not TOML (the reader says: { $problem })
@@ -207,7 +214,7 @@ experiment-too-many-samples = { $name } is { $value }; at most { $fit } samples 
 experiment-both = { $name } is { $value } and { $other } is { $otherValue }; only one of the two may be given
 experiment-static-below-kinetic = { $name } is { $value }; allowed is at least { $other }, { $otherValue }
 experiment-static-without-kinetic = { $name } is { $value }, but { $missing } is missing; static friction is allowed only beside kinetic friction
-experiment-incomplete = { $name } is { $value }, but { $missing } is missing; Newton friction needs density, drag_coefficient and area, or coefficient alone
+experiment-incomplete = { $name } is { $value }, but { $missing } is missing; Newton friction needs { $density }, { $drag } and { $area }, or { $coefficient } alone
 experiment-no-normal-force = { $name } is { $value }; Coulomb friction needs a normal force greater than 0
 
 ### The command line
@@ -235,10 +242,16 @@ cli-lang = Language of all texts: de or en (default: from the environment)
 cli-simulate = Compute the motion of one experiment
 cli-completions = Write completions for a shell to standard output
 cli-man = Write the manual page to standard output
+man-name = NAME
+man-synopsis = SYNOPSIS
+man-description = DESCRIPTION
+man-extra = EXAMPLES
+man-version = VERSION
 cli-shell = bash, elvish, fish, powershell or zsh
 cli-experiment = Experiment file, “-” for standard input; without one the built-in experiment runs: 0.5 kg on 20 N/m, released at 10 cm, kinetic coefficient 0.02
 cli-method = Method of computing the samples: { $methods } (default: exact)
 cli-dt = Time step of article-scheme (default: a thousandth of the period)
+cli-experiment-file = An experiment file is TOML; a value is a number and its unit in quotes, a bare number is SI. Only mass, stiffness and position must be given. Instead of gravity it may give normal_force, instead of density, drag_coefficient and area a coefficient in newton.
 cli-output = Write a file; its extension says which form: { $forms }; “-” is standard output. May be repeated
 cli-format = What standard output gets: summary (default), csv or json
 cli-csv-dialect = standard (default), or german with semicolons and decimal commas
@@ -268,26 +281,33 @@ cli-man-examples =
 cli-unknown-argument = { $argument } is unknown; federpendel --help lists what is allowed
 cli-unknown-argument-near = { $argument } is unknown; did you mean { $nearest }?
 cli-unknown-command = { $argument } is no command; allowed are { $allowed }
-cli-missing-command = A command is missing; allowed are { $allowed }
+cli-unknown-command-near = { $argument } is no command; did you mean { $nearest }?
+cli-invalid-value-near = { $argument } is “{ $value }”; did you mean { $nearest }? Allowed are { $allowed }
+cli-second-file = “{ $argument }” is one file too many: only one experiment file is allowed
 cli-missing-value = { $argument } has no value; one must follow it
 cli-invalid-value = { $argument } is “{ $value }”; allowed are { $allowed }
 cli-given-twice = { $argument } is given twice; allowed is once
 cli-missing-argument = { $argument } is missing; allowed are { $allowed }
 cli-no-value-allowed = { $argument } is “{ $value }”; it takes no value
 cli-argument-not-utf8 = An argument is not UTF-8 text
-cli-output-twice = --output { $name } names a file that is already in use by this command
-cli-output-folder = --output { $name } is a folder; allowed is a file
-cli-output-special = --output { $name } is no ordinary file
-cli-output-extension = --output { $name } has an extension of no known form; allowed are { $allowed }
+cli-output-twice = --output “{ $name }” names a file that is already in use by this command
+cli-output-folder = --output “{ $name }” is a folder; allowed is a file
+cli-output-nowhere = --output “{ $name }”: the folder “{ $folder }” is missing
+cli-output-special = --output “{ $name }” is no ordinary file
+cli-output-extension = --output “{ $name }” has an extension of no known form; allowed are { $allowed }
 
 ### The summary
 
 summary-sentence = The mass { $outcome }.
 summary-tie = Its last swing ends on the edge of the sticking band; within the rounding of the given numbers it sticks there.
+summary-tie-at-release = It is released on the edge of the sticking band; within the rounding of the given numbers it sticks there.
 summary-none = none
+summary-given-row = given
 summary-friction = friction
 summary-period = period
 summary-period-value = { $period } (frequency { $frequency })
+summary-period-small-value = { $period } at small amplitude (frequency { $frequency })
+summary-period-small = period at small amplitude
 summary-damping = damping ratio
 summary-damping-value = { $ratio } ({ $regime })
 summary-energy = energy
@@ -318,10 +338,13 @@ summary-point-time = t in s
 summary-point-position = x in m
 output-too-many-points = The record of { $duration } holds about { $number } turning points; a JSON file lists at most { $limit }. Allowed is a shorter duration
 summary-deviation = { $method } is up to { $distance } away from that motion, most at { $time }.
+summary-agrees = { $method } agrees with that motion to rounding.
 summary-method-equation = { $method }, equation { $equation }
+summary-method-overdamped = { $method }, the article’s solution for overdamped motion
+summary-method-critical = { $method }, the article’s solution for critical damping
 summary-method-steps = { $method }, steps of { $step }
 summary-method-interpolated = { $method }, steps of { $step }; samples between steps are interpolated
-cli-dt-without-scheme = --dt is "{ $value }", but the method is { $method }; a time step is allowed only with --method article-scheme
+cli-dt-without-scheme = --dt is “{ $value }”, but the method is { $method }; a time step is allowed only with --method article-scheme
 cli-not-found = no such file or folder
 cli-permission-denied = permission denied
 cli-is-a-folder = this is a folder, not a file

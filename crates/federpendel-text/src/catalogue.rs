@@ -62,6 +62,11 @@ impl Catalogue {
         text
     }
 
+    /// What was typed, in the quotes of the language.
+    pub fn quoted(&self, text: &str) -> String {
+        self.format("quoted", &[("text", text.to_owned().into())])
+    }
+
     /// Whether there is a sentence `id`.
     pub fn contains(&self, id: &str) -> bool {
         self.find(id).is_some()

@@ -75,10 +75,18 @@ impl Catalogue {
                     ("before", self.exact_quantity(before, "1").into()),
                 ],
             ),
-            Error::NoSuchSolution { solution, regime } => self.format(
-                "error-no-such-solution",
-                &[("solution", solution.into()), ("regime", self.regime(regime).into())],
-            ),
+            Error::NoSuchSolution { solution, regime } => {
+                // The two solutions that the article gives without a number.
+                let named = match solution {
+                    "overdamped" => self.text("solution-overdamped"),
+                    "critical" => self.text("solution-critical"),
+                    number => number.to_owned(),
+                };
+                self.format(
+                    "error-no-such-solution",
+                    &[("solution", named.into()), ("regime", self.regime(regime).into())],
+                )
+            }
             Error::NoPhase => self.text("error-no-phase"),
             Error::Diverged { time_step, time } => self.format(
                 "error-diverged",

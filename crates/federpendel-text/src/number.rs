@@ -10,10 +10,13 @@ const SCALES: &[(&str, &[(&str, f64)])] = &[
     ("s", &[("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)]),
     ("kg", &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("µg", 1e-9)]),
     ("m/s", &[("km/s", 1e3), ("m/s", 1.0), ("cm/s", 1e-2), ("mm/s", 1e-3), ("µm/s", 1e-6)]),
-    ("J", &[("MJ", 1e6), ("kJ", 1e3), ("J", 1.0), ("mJ", 1e-3), ("µJ", 1e-6), ("nJ", 1e-9)]),
+    ("J", &[("kJ", 1e3), ("J", 1.0), ("mJ", 1e-3), ("µJ", 1e-6), ("nJ", 1e-9)]),
     ("N", &[("MN", 1e6), ("kN", 1e3), ("N", 1.0), ("mN", 1e-3), ("µN", 1e-6)]),
     ("Hz", &[("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0), ("mHz", 1e-3), ("µHz", 1e-6)]),
 ];
+
+/// Of this many of its largest unit a quantity reads better as a power of ten of the SI unit.
+const LARGEST: f64 = 1e3;
 
 impl Catalogue {
     /// `value` rounded to `digits` significant digits, without zeros at the end; very large and very
@@ -27,7 +30,10 @@ impl Catalogue {
     pub fn quantity(&self, value: f64, unit: &str, digits: usize) -> String {
         // Rounded first, so that 0.99996 m is not shown as 100 cm.
         let rounded = round(value, digits);
-        let (unit, size) = readable_unit(rounded.abs(), unit);
+        let (unit, size) = match readable_unit(rounded.abs(), unit) {
+            (_, size) if size > 1.0 && rounded.abs() >= LARGEST * size => (unit, 1.0),
+            readable => readable,
+        };
         join(number(self.language(), value / size, digits), unit)
     }
 
@@ -166,6 +172,9 @@ mod tests {
             (1e-12, "m", "1 × 10⁻¹² m"),
             (4.7e-16, "m", "4.7 × 10⁻¹⁶ m"),
             (5e6, "s", "5 × 10⁶ s"),
+            (5e3, "J", "5 kJ"),
+            (2e6, "J", "2 × 10⁶ J"),
+            (1e18, "J", "1 × 10¹⁸ J"),
         ] {
             assert_eq!(english.quantity(value, unit, 4), text);
         }

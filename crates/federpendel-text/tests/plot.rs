@@ -84,7 +84,7 @@ fn a_curve_that_follows_the_motion_is_seen_on_it() {
     for (kind, name) in [
         (Kind::ClosedForm, "Exakte Bewegung"),
         (Kind::FirstIntegral, "Exakte Bewegung"),
-        (Kind::Series, "Bewegung bis auf Rundung"),
+        (Kind::Series, "Bewegung (auf Rundung genau)"),
     ] {
         let mut plot = plot(Language::German, &record);
         let curve = record.times.iter().copied().zip(record.positions.iter().copied());

@@ -10,7 +10,7 @@ use federpendel::parameter::ParameterInfo;
 use federpendel_text::{Catalogue, Language};
 
 use super::{Dialect, Format, Method};
-use crate::experiment::Field;
+use crate::experiment::{EXAMPLE, Field};
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -18,8 +18,8 @@ const STYLES: Styles = Styles::styled()
     .literal(AnsiColor::Cyan.on_default().bold())
     .placeholder(AnsiColor::Cyan.on_default());
 
-/// Widest help text, columns.
-const HELP_WIDTH: usize = 100;
+/// Narrowest and widest help text, columns.
+const HELP_WIDTHS: (usize, usize) = (40, 100);
 
 /// The whole command line.
 pub(super) fn command(catalogue: &Catalogue) -> Command {
@@ -45,11 +45,19 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))
         .styles(STYLES)
-        .max_term_width(HELP_WIDTH)
+        .term_width(help_width())
         .help_template(template(catalogue))
         .disable_help_flag(true)
         .arg(help(catalogue))
         .arg(language(catalogue))
+}
+
+/// As wide as the terminal, or else as the environment says.
+fn help_width() -> usize {
+    let (least, most) = HELP_WIDTHS;
+    let terminal = console::Term::stdout().size_checked().map(|(_, columns)| columns.into());
+    let said = || std::env::var("COLUMNS").ok()?.trim().parse().ok();
+    terminal.or_else(said).unwrap_or(most).clamp(least, most)
 }
 
 fn template(catalogue: &Catalogue) -> String {
@@ -119,7 +127,7 @@ fn simulate(catalogue: &Catalogue) -> Command {
     let command = Command::new("simulate")
         .about(catalogue.text("cli-simulate"))
         .override_usage(usage("simulate", "[EXPERIMENT.toml]".to_owned(), catalogue))
-        .after_help(catalogue.text("cli-simulate-examples"))
+        .after_help(after_simulate(catalogue))
         .arg(
             Arg::new("experiment")
                 .value_name("EXPERIMENT.toml")
@@ -134,6 +142,14 @@ fn simulate(catalogue: &Catalogue) -> Command {
                 .help_heading(catalogue.text("cli-heading-overrides"))
         }));
     common(command, catalogue)
+}
+
+/// Examples of calls, then what a file looks like.
+fn after_simulate(catalogue: &Catalogue) -> String {
+    let calls = catalogue.text("cli-simulate-examples");
+    let file: Vec<_> = EXAMPLE.lines().filter(|line| !line.is_empty()).collect();
+    let file = file.join("\n  ");
+    format!("{calls}\n\n{}\n\n  {file}", catalogue.text("cli-experiment-file"))
 }
 
 fn method(catalogue: &Catalogue) -> [Arg; 2] {

@@ -5,23 +5,29 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap_complete::Shell;
 use federpendel_text::Catalogue;
 
-/// One sentence that names what is wrong and what is allowed.
-pub(super) fn sentence(error: &clap::Error, catalogue: &Catalogue) -> String {
+/// The commands, as they are listed.
+const COMMANDS: [&str; 3] = ["simulate", "completions", "man"];
+
+/// Least likeness of two words (Jaro and Winkler) of which one is taken for the other's misspelling.
+const LIKE: f64 = 0.8;
+
+/// One sentence that names what is wrong and what is allowed; `simulates` if that command was given.
+pub(super) fn sentence(error: &clap::Error, simulates: bool, catalogue: &Catalogue) -> String {
     let context = |kind| words(error.get(kind));
     let argument = flag_only(&context(ContextKind::InvalidArg));
     let value = context(ContextKind::InvalidValue);
     let say = |id: &str| {
-        let allowed = allowed(error);
-        catalogue.format(
-            id,
-            &[
-                ("argument", argument.as_str().into()),
-                ("value", value.as_str().into()),
-                ("allowed", allowed.into()),
-            ],
-        )
+        let variables = [
+            ("argument", argument.as_str().into()),
+            ("value", value.as_str().into()),
+            ("allowed", allowed(error).into()),
+        ];
+        catalogue.format(id, &variables)
     };
     match error.kind() {
+        ErrorKind::UnknownArgument if simulates && !argument.starts_with('-') => {
+            say("cli-second-file")
+        }
         ErrorKind::UnknownArgument => match context(ContextKind::SuggestedArg) {
             near if near.is_empty() => say("cli-unknown-argument"),
             near => catalogue.format(
@@ -29,19 +35,22 @@ pub(super) fn sentence(error: &clap::Error, catalogue: &Catalogue) -> String {
                 &[("argument", argument.as_str().into()), ("nearest", near.into())],
             ),
         },
-        ErrorKind::InvalidSubcommand => catalogue.format(
-            "cli-unknown-command",
-            &[
-                ("argument", context(ContextKind::InvalidSubcommand).into()),
-                ("allowed", "simulate, completions, man".into()),
-            ],
-        ),
-        ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            catalogue
-                .format("cli-missing-command", &[("allowed", "simulate, completions, man".into())])
+        ErrorKind::InvalidSubcommand => {
+            unknown_command(catalogue, &context(ContextKind::InvalidSubcommand))
         }
         ErrorKind::InvalidValue if value.is_empty() => say("cli-missing-value"),
-        ErrorKind::InvalidValue => say("cli-invalid-value"),
+        ErrorKind::InvalidValue => match nearest(&value, allowed(error).split(", ")) {
+            None => say("cli-invalid-value"),
+            Some(near) => catalogue.format(
+                "cli-invalid-value-near",
+                &[
+                    ("argument", argument.as_str().into()),
+                    ("value", value.as_str().into()),
+                    ("nearest", near.into()),
+                    ("allowed", allowed(error).into()),
+                ],
+            ),
+        },
         ErrorKind::ArgumentConflict => say("cli-given-twice"),
         ErrorKind::MissingRequiredArgument => catalogue.format(
             "cli-missing-argument",
@@ -51,6 +60,29 @@ pub(super) fn sentence(error: &clap::Error, catalogue: &Catalogue) -> String {
         ErrorKind::InvalidUtf8 => catalogue.text("cli-argument-not-utf8"),
         _ => error.render().to_string().trim().trim_start_matches("error: ").to_owned(),
     }
+}
+
+fn unknown_command(catalogue: &Catalogue, word: &str) -> String {
+    match nearest(word, COMMANDS) {
+        None => catalogue.format(
+            "cli-unknown-command",
+            &[("argument", word.into()), ("allowed", COMMANDS.join(", ").into())],
+        ),
+        Some(near) => catalogue.format(
+            "cli-unknown-command-near",
+            &[("argument", word.into()), ("nearest", near.into())],
+        ),
+    }
+}
+
+/// The one of `known` of which `word` looks like a misspelling.
+fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    known
+        .into_iter()
+        .map(|known| (strsim::jaro_winkler(known, &word.to_lowercase()), known))
+        .filter(|(likeness, _)| *likeness > LIKE)
+        .max_by(|(a, _), (b, _)| a.total_cmp(b))
+        .map(|(_, known)| known.to_owned())
 }
 
 fn words(value: Option<&ContextValue>) -> String {

@@ -34,6 +34,8 @@ pub enum Error {
         line: usize,
         /// What is wrong.
         problem: Syntax,
+        /// The line as it may have been meant, where that can be guessed.
+        example: Option<String>,
     },
     /// A key or section that no experiment has.
     #[error("unknown key {path}")]

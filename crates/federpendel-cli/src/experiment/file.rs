@@ -24,7 +24,9 @@ pub fn parse(bytes: &[u8]) -> Result<Draft, Error> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let root = DeTable::parse(text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
-        Error::Syntax { line: line_at(text, at), problem: Syntax::of(text, at, &error) }
+        let line = line_at(text, at);
+        let (problem, example) = Syntax::of(text, at, line, &error);
+        Error::Syntax { line, problem, example }
     })?;
     if root.get_ref().is_empty() {
         return Err(Error::EmptyFile);

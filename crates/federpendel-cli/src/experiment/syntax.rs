@@ -2,6 +2,7 @@
 
 use toml::de::DeTable;
 
+use super::repair::{repaired, straightened};
 use crate::words::excerpt;
 
 /// Why a file is not TOML.
@@ -14,6 +15,8 @@ pub enum Syntax {
         /// What stands behind the `=`.
         value: String,
     },
+    /// Quotes that TOML does not know: `mass = „300 g“`.
+    Typographic,
     /// Any other value that must stand in quotes.
     UnquotedText,
     /// A key or a section that stands twice.
@@ -48,8 +51,24 @@ pub enum Syntax {
 }
 
 impl Syntax {
-    /// The kind of an error at `offset` of `text`.
-    pub(super) fn of(text: &str, offset: usize, error: &toml::de::Error) -> Self {
+    /// The kind of an error at `offset` of `text`, on line `number` from 1, and that line as it may
+    /// have been meant.
+    pub(super) fn of(
+        text: &str,
+        offset: usize,
+        number: usize,
+        error: &toml::de::Error,
+    ) -> (Self, Option<String>) {
+        let line = text.lines().nth(number.saturating_sub(1)).unwrap_or_default();
+        if let Some(straight) = straightened(line) {
+            return (Syntax::Typographic, Some(excerpt(&straight)));
+        }
+        let kind = Self::kind(text, offset, error);
+        let example = repaired(line, &kind);
+        (kind, example)
+    }
+
+    fn kind(text: &str, offset: usize, error: &toml::de::Error) -> Self {
         if let Some((key, value)) = unquoted(text, offset) {
             return Syntax::Unquoted { key: excerpt(key), value: excerpt(value) };
         }

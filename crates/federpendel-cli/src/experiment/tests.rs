@@ -43,6 +43,21 @@ fn a_full_file_is_read() {
 }
 
 #[test]
+fn the_example_of_the_help_has_every_key() {
+    assert!(resolve(EXAMPLE, &[]).is_ok());
+    let draft = parse(EXAMPLE.as_bytes()).unwrap();
+    for field in Field::ALL {
+        let said = draft.get(*field).is_some();
+        // The other ways to say the same stand in the sentence above it.
+        assert_eq!(
+            said,
+            ![Field::NormalForce, Field::NewtonCoefficient].contains(field),
+            "{field:?}"
+        );
+    }
+}
+
+#[test]
 fn defaults_are_those_of_the_core() {
     let experiment = resolve(BUILT_IN, &[]).unwrap();
     assert_eq!(experiment.normal_force, NormalForce::Weight(9.81));

@@ -7,10 +7,9 @@ use federpendel_text::Catalogue;
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
 use federpendel_text::plot::{MotionData, Plot};
 
+use super::summary::Noise;
+use crate::progress::Progress;
 use crate::record::Record;
-
-/// Samples that a picture can show.
-const PLOTTED: usize = 20_000;
 
 /// Device pixels per CSS pixel of a PNG, for sharp prints and screens.
 const SCALE: f32 = 2.0;
@@ -20,7 +19,7 @@ pub(super) fn write_svg(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let picture = svg(&plot(record, catalogue), Size::default(), Background::Light);
+    let picture = svg(&plot(record, catalogue)?, Size::default(), Background::Light);
     out.write_all(picture.as_bytes())
 }
 
@@ -29,7 +28,7 @@ pub(super) fn write_png(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let picture = png(&plot(record, catalogue), Size::default(), Background::Light, SCALE);
+    let picture = png(&plot(record, catalogue)?, Size::default(), Background::Light, SCALE);
     out.write_all(&picture.map_err(io::Error::other)?)
 }
 
@@ -40,17 +39,18 @@ pub(super) fn write_terminal(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let colour = console::colors_enabled();
-    let text = terminal(&plot(record, catalogue), columns, rows, colour);
+    let text = terminal(&plot(record, catalogue)?, columns, rows, colour);
     out.write_all(text.as_bytes())
 }
 
 /// x(t) with its envelope and turning points, and beside it the method asked for.
-fn plot(record: &Record, catalogue: &Catalogue) -> Plot {
-    let stride = record.exact.len().div_ceil(PLOTTED);
+fn plot(record: &Record, catalogue: &Catalogue) -> io::Result<Plot> {
+    let drawn = record.drawn(&Progress::silent()).map_err(io::Error::other)?;
     let points = |samples: &[Sample]| -> Vec<(f64, f64)> {
-        samples.iter().step_by(stride).map(|sample| (sample.time, sample.position)).collect()
+        samples.iter().map(|sample| (sample.time, sample.position)).collect()
     };
-    let (times, positions): (Vec<f64>, Vec<f64>) = points(&record.exact).into_iter().unzip();
+    let (times, positions): (Vec<f64>, Vec<f64>) = points(&drawn.exact).into_iter().unzip();
+    let outcome = Noise::of(record)?.outcome(record.outcome);
     let turning_points = record.plotted_turning_points();
     let oscillator = record.motion.oscillator();
     let State { position, velocity } = record.motion.release();
@@ -62,13 +62,13 @@ fn plot(record: &Record, catalogue: &Catalogue) -> Plot {
             positions: &positions,
             turning_points: &turning_points,
             from_rest: velocity == 0.0 && position != 0.0,
-            outcome: &record.outcome,
+            outcome: &outcome,
             sticking_offset: oscillator.sticking_offset(),
         },
     );
-    if let Some(other) = &record.other {
-        let points = points(&other.samples);
+    if let Some(other) = &drawn.other {
+        let points = points(other);
         plot.compare(catalogue, record.motion.kind(), record.method.name(), points);
     }
-    plot
+    Ok(plot)
 }

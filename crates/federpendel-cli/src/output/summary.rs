@@ -1,16 +1,19 @@
 //! A first screen for a person: one plot, one sentence, a short table; details on request.
 
 mod details;
+mod noise;
 mod table;
 mod wrap;
 
 use std::io::{self, Write};
 
-use federpendel::{Mix, Outcome, Regime};
+use federpendel::parameter::{self, ParameterInfo};
+use federpendel::{Mix, Oscillator, Outcome, Regime, Rest, State};
 
 use super::{Style, plot};
 use crate::record::{Record, Source};
 use crate::words::remark;
+pub(super) use noise::Noise;
 use table::Table;
 use wrap::wrap;
 
@@ -18,7 +21,7 @@ use wrap::wrap;
 const DIGITS: usize = 4;
 
 /// Rows of sentence, table and the next prompt.
-const ROWS_BELOW: usize = 11;
+const ROWS_BELOW: usize = 12;
 
 /// Columns and rows of the plot where no terminal says how large it is.
 const PAPER: (usize, usize) = (80, 20);
@@ -27,13 +30,16 @@ pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> i
     let catalogue = style.catalogue;
     let (columns, rows) = room();
     plot::write_terminal(record, catalogue, (columns, rows), out)?;
-    let outcome = catalogue.outcome(&record.outcome);
+    let outcome = catalogue.outcome(&Noise::of(record)?.outcome(record.outcome));
     let sentence = catalogue.format("summary-sentence", &[("outcome", outcome.into())]);
-    let tied = matches!(record.outcome, Outcome::Rests(rest) if rest.tie);
+    let tied = match &record.outcome {
+        Outcome::Rests(rest) if rest.tie => Some(rest),
+        _ => None,
+    };
     let sentences = [
         Some(sentence),
-        tied.then(|| catalogue.text("summary-tie")),
-        deviation(record, style),
+        tied.map(|rest| catalogue.text(tie(rest))),
+        deviation(record, style)?,
         remark(catalogue, record),
     ];
     for line in sentences.iter().flatten().flat_map(|sentence| wrap(sentence, columns)) {
@@ -48,17 +54,26 @@ pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> i
 }
 
 /// How far the method asked for is from the exact motion.
-fn deviation(record: &Record, style: Style<'_>) -> Option<String> {
+fn deviation(record: &Record, style: Style<'_>) -> io::Result<Option<String>> {
     let catalogue = style.catalogue;
-    let (time, distance) = record.largest_deviation()?;
-    Some(catalogue.format(
+    let Some((time, distance)) = record.largest_deviation() else { return Ok(None) };
+    let method = ("method", record.method.name().into());
+    if Noise::of(record)?.agrees(distance) {
+        return Ok(Some(catalogue.format("summary-agrees", &[method])));
+    }
+    Ok(Some(catalogue.format(
         "summary-deviation",
         &[
-            ("method", record.method.name().into()),
+            method,
             ("distance", catalogue.quantity(distance, "m", DIGITS).into()),
             ("time", catalogue.quantity(time, "s", DIGITS).into()),
         ],
-    ))
+    )))
+}
+
+/// Which sentence tells of a tie: a mass that never moves has no last swing.
+fn tie(rest: &Rest) -> &'static str {
+    if rest.time == 0.0 { "summary-tie-at-release" } else { "summary-tie" }
 }
 
 /// Columns and rows for the plot, such that the first screen holds what follows it too.
@@ -75,14 +90,17 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     let catalogue = style.catalogue;
     let oscillator = record.motion.oscillator();
     let mut table = Table::new(catalogue);
+    table.row("summary-given-row", given(record, style));
     let mix = oscillator.friction().mix();
     let acts =
         if mix == Mix::default() { catalogue.text("summary-none") } else { catalogue.mix(mix) };
     table.row("summary-friction", acts);
     match oscillator.period() {
         Some(period) => {
+            // Newton friction stretches large swings.
+            let id = if mix.newton { "summary-period-small-value" } else { "summary-period-value" };
             let value = catalogue.format(
-                "summary-period-value",
+                id,
                 &[
                     ("period", catalogue.quantity(period, "s", DIGITS).into()),
                     ("frequency", catalogue.quantity(period.recip(), "Hz", DIGITS).into()),
@@ -96,7 +114,7 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
         let value = catalogue.format(
             "summary-damping-value",
             &[
-                ("ratio", catalogue.number(oscillator.damping_ratio(), DIGITS).into()),
+                ("ratio", damping_ratio(oscillator, style, DIGITS).into()),
                 ("regime", catalogue.regime(oscillator.regime()).into()),
             ],
         );
@@ -119,13 +137,43 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     Ok(table)
 }
 
+/// What a forgotten unit would show in: “m = 500 g, C = 20 N/m, x0 = 10 cm”.
+fn given(record: &Record, style: Style<'_>) -> String {
+    let oscillator = record.motion.oscillator();
+    let State { position, velocity } = record.motion.release();
+    let values = [
+        (&parameter::MASS, oscillator.mass()),
+        (&parameter::STIFFNESS, oscillator.stiffness()),
+        (&parameter::POSITION, position),
+        (&parameter::VELOCITY, velocity),
+    ];
+    let still = |info: &ParameterInfo| info.name == parameter::VELOCITY.name && velocity == 0.0;
+    let written = values.into_iter().filter(|(info, _)| !still(info)).map(|(info, value)| {
+        let value = style.catalogue.quantity(value, info.unit, DIGITS);
+        format!("{} = {value}", info.symbol)
+    });
+    written.collect::<Vec<_>>().join(", ")
+}
+
+/// The damping ratio with so many digits that it does not read 1 beside “underdamped”.
+fn damping_ratio(oscillator: &Oscillator, style: Style<'_>, digits: usize) -> String {
+    let ratio = oscillator.damping_ratio();
+    let written = |digits| style.catalogue.number(ratio, digits);
+    let one = style.catalogue.number(1.0, digits);
+    let near = [Regime::Underdamped, Regime::Overdamped].contains(&oscillator.regime());
+    let clear = (digits..17).find(|digits| !near || written(*digits) != one);
+    written(clear.unwrap_or(17))
+}
+
 /// The energy that is left: of the motion, and where another method is asked for its own beside it.
 fn energies(record: &Record, style: Style<'_>, table: &mut Table<'_>) -> io::Result<()> {
     let catalogue = style.catalogue;
     let joule = |energy: f64| catalogue.quantity(energy, "J", DIGITS).into();
     let ledger = record.ledger_at_end().map_err(io::Error::other)?;
     let initial = ("initial", joule(record.motion.initial_energy()));
-    let left = ("left", joule(ledger.kinetic + ledger.potential));
+    let noise = Noise::of(record)?;
+    let left = noise.kinetic(ledger.kinetic) + noise.potential(ledger.potential);
+    let left = ("left", joule(left));
     let value = match record.other_energy() {
         None => catalogue.format("summary-energy-value", &[initial, left]),
         Some((kinetic, potential)) => catalogue.format(
@@ -148,6 +196,13 @@ fn method(record: &Record, source: Source, style: Style<'_>) -> String {
     let catalogue = style.catalogue;
     let name = record.method.name();
     match source {
+        // The two that the article gives without a number.
+        Source::Equation("overdamped") => {
+            catalogue.format("summary-method-overdamped", &[("method", name.into())])
+        }
+        Source::Equation("critical") => {
+            catalogue.format("summary-method-critical", &[("method", name.into())])
+        }
         Source::Equation(number) => catalogue.format(
             "summary-method-equation",
             &[("method", name.into()), ("equation", number.into())],

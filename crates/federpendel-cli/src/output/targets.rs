@@ -52,7 +52,9 @@ impl Targets {
             if path.exists() && !path.is_file() {
                 return Err(refuse("cli-output-special"));
             }
-            files.push((path.clone(), format_of(path, &name, catalogue)?));
+            let format = format_of(path, &name, catalogue)?;
+            in_a_folder(path, &name, catalogue)?;
+            files.push((path.clone(), format));
         }
         // Someone who names standard output as a file wants data there, not prose.
         let unsaid = if asks_stdout { Format::Csv } else { Format::Summary };
@@ -62,6 +64,18 @@ impl Targets {
             dialect: arguments.dialect,
             details: arguments.details,
         })
+    }
+}
+
+/// Refuses a file whose folder is missing; before the work, not after it.
+fn in_a_folder(path: &Path, name: &str, catalogue: &Catalogue) -> Result<(), Failure> {
+    match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists()) {
+        None => Ok(()),
+        Some(folder) => {
+            let folder = folder.display().to_string();
+            let variables = [("name", name.into()), ("folder", folder.into())];
+            Err(Failure::System(catalogue.format("cli-output-nowhere", &variables)))
+        }
     }
 }
 

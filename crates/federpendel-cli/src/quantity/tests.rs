@@ -24,8 +24,16 @@ fn decimal_quantities_are_correctly_rounded() {
 
 #[test]
 fn one_unit_has_many_spellings() {
-    for text in ["3 N·s/m", "3 N*s/m", "3 N s/m", "3 N s m^-1", "3 N s m⁻¹", "3 kg/s", "3000 g/s"]
-    {
+    for text in [
+        "3 N·s/m",
+        "3 N*s/m",
+        "3 N s/m",
+        "3 N s m^-1",
+        "3 N s m⁻¹",
+        "3 Ns/m",
+        "3000 mNs/m",
+        "3 kg/s",
+    ] {
         assert_eq!(value(text, Damping), 3.0, "{text}");
     }
     for text in ["9 m/s^2", "9 m/s2", "9 m/s/s", "9 m s^-2", "9 m/(s·s)", "9 m s-2"] {
@@ -64,6 +72,14 @@ fn units_that_do_not_fit_are_refused() {
     assert_eq!(unknown("5 kgg", Mass).as_deref(), Some("kg"));
     assert_eq!(unknown("5 KG", Mass).as_deref(), Some("kg"));
     assert_eq!(unknown("5 n/m", Stiffness).as_deref(), Some("N/m"));
+    for (text, dimension, whole, near) in [
+        ("12 N/M", Stiffness, "N/M", "N/m"),
+        ("12 kg/M^3", Density, "kg/M^3", "kg/m^3"),
+        ("12 Nn/mm^2", Mass, "Nn", "N"),
+    ] {
+        let expected = Error::UnknownUnit { unit: whole.into(), nearest: Some(near.into()) };
+        assert_eq!(parse(text, dimension), Err(expected), "{text}");
+    }
     assert_eq!(unknown("5 sec", Time).as_deref(), None);
     assert_eq!(unknown("5 furlong", Length), None);
     for text in [

@@ -29,6 +29,8 @@ const UNITS: &[Named] = &[
     si("m", 0, [0, 1, 0]),
     si("s", 0, [0, 0, 1]),
     si("N", 0, [1, 1, -2]),
+    // Without a sign between its factors, as it is often written: "0.2 Ns/m".
+    si("Ns", 0, [1, 1, -1]),
     si("Hz", 0, [0, 0, -1]),
     si("J", 0, [1, 2, -2]),
     si("W", 0, [1, 2, -3]),
@@ -137,10 +139,8 @@ impl Parser<'_> {
         if symbol.is_empty() {
             return Err(self.broken());
         }
-        let (named, prefix) = look_up(symbol).ok_or_else(|| Error::UnknownUnit {
-            unit: symbol.to_owned(),
-            nearest: nearest(symbol, self.text, self.wanted),
-        })?;
+        let (named, prefix) =
+            look_up(symbol).ok_or_else(|| unknown(symbol, self.text, self.wanted))?;
         self.rest = rest;
         let power = self.power()?;
         unit.multiply(named, prefix, sign * power);
@@ -212,16 +212,22 @@ fn look_up(symbol: &str) -> Option<(&'static Named, i32)> {
     })
 }
 
-/// The right unit that looks most like what was written: whole expressions first, then symbols.
-fn nearest(symbol: &str, text: &str, wanted: Dimension) -> Option<String> {
+/// The unknown `symbol` of `text` beside the right unit that looks most like it: whole expressions
+/// first, held against all of `text`, then symbols.
+fn unknown(symbol: &str, text: &str, wanted: Dimension) -> Error {
     let candidates = wanted.units().iter().map(|unit| (*unit, text));
     let symbols = UNITS.iter().map(|named| (named.symbol, symbol));
-    candidates
+    let near = candidates
         .chain(symbols)
-        .map(|(unit, written)| (distance(unit, written), unit))
-        .filter(|(distance, unit)| *distance <= 0.5 * unit.chars().count().max(2) as f64)
-        .min_by(|(a, _), (b, _)| a.total_cmp(b))
-        .map(|(_, unit)| unit.to_owned())
+        .map(|(unit, written)| (distance(unit, written), unit, written))
+        .filter(|(distance, unit, _)| *distance <= 0.5 * unit.chars().count().max(2) as f64)
+        .min_by(|(a, ..), (b, ..)| a.total_cmp(b));
+    match near {
+        Some((_, unit, written)) => {
+            Error::UnknownUnit { unit: written.to_owned(), nearest: Some(unit.to_owned()) }
+        }
+        None => Error::UnknownUnit { unit: symbol.to_owned(), nearest: None },
+    }
 }
 
 /// Edits between two spellings; a wrong case counts half.

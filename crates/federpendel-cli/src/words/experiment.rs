@@ -31,14 +31,14 @@ fn sentence(catalogue: &Catalogue, error: &Error) -> String {
             catalogue.format("experiment-not-utf8", &variables)
         }
         Error::EmptyFile => catalogue.format("experiment-empty", &[("sections", SECTIONS.into())]),
-        Error::Syntax { problem, .. } => not_toml(catalogue, problem),
+        Error::Syntax { problem, example, .. } => not_toml(catalogue, problem, example.as_deref()),
         Error::UnknownKey { path, nearest, allowed, .. } => {
             unknown_key(catalogue, path, nearest.as_deref(), allowed)
         }
         Error::WrongType { path, written, allowed, .. } => refusal(
             catalogue,
             path,
-            written,
+            &catalogue.quoted(bare(written)),
             &match allowed {
                 Allowed::Quantity(field) => field_allowed(catalogue, *field),
                 Allowed::Keys(keys) => {
@@ -50,14 +50,14 @@ fn sentence(catalogue: &Catalogue, error: &Error) -> String {
             "experiment-quantity",
             &[
                 ("name", name(given).into()),
-                ("value", written(given).into()),
+                ("value", written(catalogue, given).into()),
                 ("problem", quantity_problem(catalogue, error).into()),
                 ("allowed", field_allowed(catalogue, given.field).into()),
             ],
         ),
         Error::Range(given) => {
             let allowed = catalogue.range(given.field.info().range);
-            refusal(catalogue, &name(given), &written(given), &allowed)
+            refusal(catalogue, &name(given), &written(catalogue, given), &allowed)
         }
         Error::Missing(field) => catalogue.format(
             "experiment-missing",
@@ -71,7 +71,7 @@ fn sentence(catalogue: &Catalogue, error: &Error) -> String {
             "experiment-too-many-samples",
             &[
                 ("name", name(given).into()),
-                ("value", written(given).into()),
+                ("value", written(catalogue, given).into()),
                 ("fit", (*fit).to_string().into()),
             ],
         ),
@@ -87,7 +87,7 @@ fn at_odds(catalogue: &Catalogue, error: &Error) -> String {
             id,
             &[
                 ("name", name(first).into()),
-                ("value", written(first).into()),
+                ("value", written(catalogue, first).into()),
                 ("other", other_name.into()),
                 ("otherValue", other_value.into()),
             ],
@@ -95,30 +95,37 @@ fn at_odds(catalogue: &Catalogue, error: &Error) -> String {
     };
     match error {
         Error::Both { first, second } => {
-            pair("experiment-both", first, name(second), written(second))
+            pair("experiment-both", first, name(second), written(catalogue, second))
         }
-        Error::StaticBelowKinetic { static_, kinetic } => {
-            pair("experiment-static-below-kinetic", static_, name(kinetic), written(kinetic))
-        }
+        Error::StaticBelowKinetic { static_, kinetic } => pair(
+            "experiment-static-below-kinetic",
+            static_,
+            name(kinetic),
+            written(catalogue, kinetic),
+        ),
         Error::Incomplete { given, missing } => catalogue.format(
             "experiment-incomplete",
             &[
                 ("name", name(given).into()),
-                ("value", written(given).into()),
+                ("value", written(catalogue, given).into()),
                 ("missing", sibling(given, *missing).into()),
+                ("density", beside(given, Field::Density).into()),
+                ("drag", beside(given, Field::DragCoefficient).into()),
+                ("area", beside(given, Field::Area).into()),
+                ("coefficient", beside(given, Field::NewtonCoefficient).into()),
             ],
         ),
         Error::StaticWithoutKinetic(given) => catalogue.format(
             "experiment-static-without-kinetic",
             &[
                 ("name", name(given).into()),
-                ("value", written(given).into()),
+                ("value", written(catalogue, given).into()),
                 ("missing", sibling(given, Field::Kinetic).into()),
             ],
         ),
         Error::NoNormalForce(given) => catalogue.format(
             "experiment-no-normal-force",
-            &[("name", name(given).into()), ("value", written(given).into())],
+            &[("name", name(given).into()), ("value", written(catalogue, given).into())],
         ),
         // Every other error is said by `sentence`.
         other => other.to_string(),
@@ -174,11 +181,23 @@ fn sibling(given: &Given, field: Field) -> String {
     }
 }
 
-fn written(given: &Given) -> String {
+/// The same without the section that both stand in.
+fn beside(given: &Given, field: Field) -> String {
+    let name = sibling(given, field);
+    name.rsplit('.').next().unwrap_or(&name).to_owned()
+}
+
+/// A value as it was typed, in the quotes of the language and not in those of TOML.
+fn written(catalogue: &Catalogue, given: &Given) -> String {
     match given.origin {
-        Origin::File { .. } => given.written.clone(),
-        Origin::Flag => format!("\"{}\"", given.written),
+        Origin::File { .. } => catalogue.quoted(bare(&given.written)),
+        Origin::Flag => catalogue.quoted(&given.written),
     }
+}
+
+fn bare(written: &str) -> &str {
+    let within = |quote| written.strip_prefix(quote)?.strip_suffix(quote);
+    within('"').or_else(|| within('\'')).unwrap_or(written)
 }
 
 /// `None` for what is not about a file; `Some(None)` for a file as a whole.

@@ -15,10 +15,7 @@ pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
             &[("length", (*length).into()), ("limit", LONGEST.into())],
         ),
         Error::NoNumber => catalogue.text("quantity-no-number"),
-        Error::Ambiguous { decimal, grouped } => catalogue.format(
-            "quantity-ambiguous",
-            &[("decimal", localised(catalogue, decimal)), ("grouped", grouped.as_str().into())],
-        ),
+        Error::Ambiguous { decimal, grouped } => ambiguous(catalogue, decimal, grouped),
         Error::Grouped { plain } => {
             catalogue.format("quantity-grouped", &[("plain", localised(catalogue, plain))])
         }
@@ -45,6 +42,22 @@ pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
     }
 }
 
+/// Both readings, each in spellings that have no other.
+fn ambiguous(catalogue: &Catalogue, decimal: &str, grouped: &str) -> String {
+    let (whole, fraction) = decimal.split_once('.').unwrap_or((decimal, "0"));
+    // Three digits behind a comma are what is ambiguous; behind a point they are not.
+    let longer = if fraction.len() == 3 { format!("{fraction}0") } else { fraction.to_owned() };
+    catalogue.format(
+        "quantity-ambiguous",
+        &[
+            ("decimal", localised(catalogue, decimal)),
+            ("grouped", grouped.into()),
+            ("point", format!("{whole}.{fraction}").into()),
+            ("comma", format!("{whole},{longer}").into()),
+        ],
+    )
+}
+
 /// The time step that `--dt` gives as `written`, s.
 ///
 /// # Errors
@@ -60,7 +73,7 @@ pub fn time_step_value(catalogue: &Catalogue, written: &str) -> Result<f64, Stri
     let allowed = allowed(catalogue, Dimension::Time, info.range);
     let mut variables = vec![
         ("name", "--dt".into()),
-        ("value", format!("\"{}\"", excerpt(written)).into()),
+        ("value", catalogue.quoted(&excerpt(written)).into()),
         ("allowed", allowed.into()),
     ];
     Err(match problem {

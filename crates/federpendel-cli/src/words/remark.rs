@@ -6,6 +6,10 @@ use crate::record::{Record, Remark, Source};
 
 /// One sentence about the method of this record, where there is something to say.
 pub(crate) fn remark(catalogue: &Catalogue, record: &Record) -> Option<String> {
+    // What is said of a scheme holds as long as it has not run away.
+    if record.too_long_step().is_some() {
+        return None;
+    }
     let id = match Remark::of(record.method, &record.motion)? {
         Remark::SticksAtOnce => "remark-sticks-at-once",
         Remark::NoSticking => "remark-no-sticking",

@@ -4,9 +4,10 @@ use federpendel_text::Catalogue;
 
 use crate::experiment::Syntax;
 
-/// What is wrong with a file that is not TOML, and how it is written rightly.
-pub(super) fn not_toml(catalogue: &Catalogue, problem: &Syntax) -> String {
-    let id = match problem {
+/// What is wrong with a file that is not TOML, and how it is written rightly: the user's own line
+/// where `example` has it, another one else.
+pub(super) fn not_toml(catalogue: &Catalogue, problem: &Syntax, example: Option<&str>) -> String {
+    let (id, other) = match problem {
         Syntax::Unquoted { key, value } => {
             let variables = [("key", key.as_str().into()), ("value", value.as_str().into())];
             return catalogue.format("toml-unquoted", &variables);
@@ -17,18 +18,19 @@ pub(super) fn not_toml(catalogue: &Catalogue, problem: &Syntax) -> String {
         Syntax::Other(problem) => {
             return catalogue.format("toml-other", &[("problem", problem.as_str().into())]);
         }
-        Syntax::UnquotedText => "toml-unquoted-text",
-        Syntax::BadText => "toml-bad-text",
-        Syntax::UnclosedSection => "toml-unclosed-section",
-        Syntax::UnclosedTable => "toml-unclosed-table",
-        Syntax::UnclosedList => "toml-unclosed-list",
-        Syntax::NoEquals => "toml-no-equals",
-        Syntax::NoValue => "toml-no-value",
-        Syntax::BadKey => "toml-bad-key",
-        Syntax::Comma => "toml-comma",
-        Syntax::BadNumber => "toml-bad-number",
-        Syntax::Trailing => "toml-trailing",
-        Syntax::TooDeep => "toml-too-deep",
+        Syntax::UnclosedList => return catalogue.text("toml-unclosed-list"),
+        Syntax::Trailing => return catalogue.text("toml-trailing"),
+        Syntax::TooDeep => return catalogue.text("toml-too-deep"),
+        Syntax::Typographic => ("toml-typographic", "mass = \"300 g\""),
+        Syntax::UnquotedText => ("toml-unquoted-text", "mass = \"300 g\""),
+        Syntax::BadText => ("toml-bad-text", "mass = \"300 g\""),
+        Syntax::UnclosedSection => ("toml-unclosed-section", "[oscillator]"),
+        Syntax::UnclosedTable => ("toml-unclosed-table", "stokes = { damping = 0.2 }"),
+        Syntax::NoEquals => ("toml-no-equals", "mass = 0.5"),
+        Syntax::NoValue => ("toml-no-value", "mass = 0.5"),
+        Syntax::BadKey => ("toml-bad-key", "mass = 0.5"),
+        Syntax::Comma => ("toml-comma", "{ kinetic = 0.02, static = 0.03 }"),
+        Syntax::BadNumber => ("toml-bad-number", "mass = \"0,5 kg\""),
     };
-    catalogue.text(id)
+    catalogue.format(id, &[("example", example.unwrap_or(other).to_owned().into())])
 }

@@ -8,6 +8,8 @@ use federpendel::{NormalForce, Oscillator, Outcome, Rest};
 use federpendel_text::Catalogue;
 
 use super::super::Style;
+use super::damping_ratio;
+use super::noise::Noise;
 use super::table::Table;
 use super::wrap::wrap;
 use crate::record::Record;
@@ -102,16 +104,22 @@ fn derived<'a>(record: &Record, style: Style<'a>) -> Table<'a> {
     let mut table = Table::new(style.catalogue);
     let mut add = |id: &str, symbol: &str, value: f64, unit: &str| {
         let name = format!("{} {symbol}", style.catalogue.text(id));
-        table.named(name.trim_end().to_owned(), style.catalogue.quantity(value, unit, DIGITS));
+        table.named(name, style.catalogue.quantity(value, unit, DIGITS));
     };
     add("derived-angular-frequency", "ω0", oscillator.angular_frequency(), "1/s");
     if let Some(period) = oscillator.period() {
-        add("summary-period", "T", period, "s");
+        let id = if mix.newton { "summary-period-small" } else { "summary-period" };
+        add(id, "T", period, "s");
     }
     if mix.stokes {
         add("derived-damping-rate", "γ", oscillator.damping_rate(), "1/s");
-        add("derived-damping-ratio", "ζ", oscillator.damping_ratio(), "1");
+        let name = format!("{} ζ", style.catalogue.text("derived-damping-ratio"));
+        table.named(name, damping_ratio(oscillator, style, DIGITS));
     }
+    let mut add = |id: &str, symbol: &str, value: f64, unit: &str| {
+        let name = format!("{} {symbol}", style.catalogue.text(id));
+        table.named(name, style.catalogue.quantity(value, unit, DIGITS));
+    };
     if let Some(factor) = oscillator.quality_factor() {
         add("derived-quality-factor", "Q", factor, "1");
     }
@@ -135,8 +143,9 @@ fn spent<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
     let mut add =
         |id: &str, value: f64| table.row(id, style.catalogue.quantity(value, "J", DIGITS));
     add("summary-energy-initial", record.motion.initial_energy());
-    add("summary-energy-kinetic", ledger.kinetic);
-    add("summary-energy-potential", ledger.potential);
+    let noise = Noise::of(record)?;
+    add("summary-energy-kinetic", noise.kinetic(ledger.kinetic));
+    add("summary-energy-potential", noise.potential(ledger.potential));
     let heats = [
         (mix.stokes, "summary-heat-stokes", ledger.heat.stokes),
         (mix.coulomb, "summary-heat-coulomb", ledger.heat.coulomb),
@@ -204,6 +213,7 @@ fn turning_points(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let catalogue = style.catalogue;
+    let noise = Noise::of(record)?;
     let points: Vec<_> = record.turning_points().take(POINTS + 1).collect();
     if points.is_empty() {
         return writeln!(out, "  {}", catalogue.text("summary-none"));
@@ -217,7 +227,7 @@ fn turning_points(
     writeln!(out, "{}", console::style(row("", &names[0], &names[1])).dim())?;
     for (index, point) in points.iter().take(POINTS).enumerate() {
         let time = catalogue.number(point.time, DIGITS);
-        let position = catalogue.number(point.position, DIGITS);
+        let position = catalogue.number(noise.length(point.position), DIGITS);
         writeln!(out, "{}", row(&(index + 1).to_string(), &time, &position))?;
     }
     if points.len() > POINTS {
