@@ -1,6 +1,6 @@
 //! How the program ends when it cannot do what was asked.
 
-use std::io;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::builder::StyledStr;
@@ -20,6 +20,11 @@ pub(crate) enum Failure {
     BrokenPipe,
 }
 
+/// Writes a line to standard error; where that is closed or full nobody is left to be told.
+pub(crate) fn note(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
 impl Failure {
     /// A failure to read or write `name`.
     pub(crate) fn system(catalogue: &Catalogue, name: &str, error: &io::Error) -> Self {
@@ -31,7 +36,13 @@ impl Failure {
             io::ErrorKind::PermissionDenied => catalogue.text("cli-permission-denied"),
             io::ErrorKind::IsADirectory => catalogue.text("cli-is-a-folder"),
             io::ErrorKind::StorageFull => catalogue.text("cli-storage-full"),
-            _ => error.to_string(),
+            io::ErrorKind::NotADirectory => catalogue.text("cli-is-no-folder"),
+            io::ErrorKind::InvalidFilename => catalogue.text("cli-name-too-long"),
+            // The system's own words, without the name of a file of ours that is not to stay.
+            _ => match error.raw_os_error() {
+                Some(code) => io::Error::from_raw_os_error(code).to_string(),
+                None => error.to_string(),
+            },
         };
         let variables = [("name", name.into()), ("problem", problem.into())];
         Failure::System(catalogue.format("cli-system-refuses", &variables))
@@ -50,13 +61,13 @@ impl Failure {
             Failure::NoCommand(help) => {
                 let colours = console::colors_enabled_stderr();
                 let text = if colours { help.ansi().to_string() } else { help.to_string() };
-                eprint!("{text}");
+                note(text.trim_end());
                 return ExitCode::from(2);
             }
             Failure::BrokenPipe => return ExitCode::SUCCESS,
         };
         let label = style(catalogue.text("cli-error")).for_stderr().red().bold();
-        eprintln!("{label}: {sentence}");
+        note(&format!("{label}: {sentence}"));
         ExitCode::from(status)
     }
 }

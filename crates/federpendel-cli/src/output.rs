@@ -14,7 +14,7 @@ use std::io::{self, BufWriter, Write};
 
 use federpendel_text::Catalogue;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::progress::Progress;
 use crate::record::{MOST_POINTS, Record};
 
@@ -81,7 +81,7 @@ pub(crate) fn write(
     whole::write(&targets.files, catalogue, |format, out| render(record, format, style, out))?;
     drop(progress);
     for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
-        eprintln!("{}", catalogue.format("cli-written", &[("name", path.into())]));
+        note(&catalogue.format("cli-written", &[("name", path.into())]));
     }
     to_stdout(|out| render(record, targets.stdout, style, out), catalogue)
 }

@@ -10,7 +10,7 @@ use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 
 use crate::args::Simulate;
 use crate::experiment::{self, BUILT_IN, Experiment, LARGEST_FILE};
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::output::{self, Targets};
 use crate::progress::Progress;
 use crate::record::{BYTES_PER_SAMPLE, Method, Record, TooLong};
@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Fai
     let record = compute(experiment, arguments.method, time_step, catalogue)?;
     if let Some(problem) = record.too_long_step() {
         let label = console::style(catalogue.text("cli-warning")).for_stderr().yellow().bold();
-        eprintln!("{label}: {}", too_long_step(catalogue, problem));
+        note(&format!("{label}: {}", too_long_step(catalogue, problem)));
     }
     output::write(&record, &targets, catalogue)
 }

@@ -252,3 +252,20 @@ fn every_refusal_speaks_german_too() {
         assert!(message.starts_with("Fehler: ") && message.contains(part), "{message}");
     }
 }
+
+/// Where standard error takes nothing the exit status still tells, and results still come.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_standard_error_that_is_full_changes_nothing_else() {
+    let full = || std::fs::File::options().write(true).open("/dev/full").expect("a full device");
+    let program = assert_cmd::cargo::cargo_bin("federpendel");
+    let run = |arguments: &[&str]| {
+        let mut command = std::process::Command::new(&program);
+        let folder = tempfile::tempdir().expect("a folder");
+        command.current_dir(folder.path()).args(arguments).stderr(full()).output().expect("a run")
+    };
+    assert_eq!(run(&["simulate", "--mass", "0"]).status.code(), Some(2));
+    let written = run(&["simulate", "-o", "motion.csv"]);
+    assert_eq!(written.status.code(), Some(0));
+    assert!(!written.stdout.is_empty());
+}

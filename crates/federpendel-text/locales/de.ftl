@@ -369,3 +369,5 @@ summary-energy-values = { $initial } beim Loslassen; am Ende der Aufzeichnung { 
 summary-heading-of = { $heading } ({ $whose })
 summary-margin-tie = auf der Kante, im Rahmen der Rundung
 summary-margin-distance = { $distance } vom Rand entfernt
+cli-is-no-folder = ein Teil dieses Pfads ist eine Datei, kein Ordner
+cli-name-too-long = dieser Name ist zu lang oder enthält ein Zeichen, das das System nicht erlaubt

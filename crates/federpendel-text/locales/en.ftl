@@ -369,3 +369,5 @@ summary-energy-values = { $initial } at release; at the end of the record { $lef
 summary-heading-of = { $heading } ({ $whose })
 summary-margin-tie = on the edge, within rounding
 summary-margin-distance = { $distance } from its edge
+cli-is-no-folder = a part of this path is a file, not a folder
+cli-name-too-long = this name is too long or holds a sign that the system does not allow

@@ -49,7 +49,8 @@ impl Targets {
             if path.is_dir() {
                 return Err(refuse("cli-output-folder"));
             }
-            if path.exists() && !path.is_file() {
+            // A link that leads in a circle is one still.
+            if path.exists() && !path.is_file() || real(path).is_symlink() {
                 return Err(refuse("cli-output-special"));
             }
             let format = format_of(path, &name, catalogue)?;
@@ -94,12 +95,19 @@ fn format_of(path: &Path, name: &str, catalogue: &Catalogue) -> Result<Format, F
     })
 }
 
-/// One spelling for each file, also for one that is not there yet.
-fn real(path: &Path) -> PathBuf {
+/// More links on the way to a file lead in a circle.
+const MOST_LINKS: usize = 40;
+
+/// One spelling for each file, also for one that is not there yet; a link is what it points to.
+pub(super) fn real(path: &Path) -> PathBuf {
     if let Ok(path) = path.canonicalize() {
         return path;
     }
-    let whole = absolute(path).unwrap_or_else(|_| path.to_owned());
+    let mut whole = absolute(path).unwrap_or_else(|_| path.to_owned());
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = whole.read_link() else { break };
+        whole = whole.parent().unwrap_or(Path::new(".")).join(next);
+    }
     match (whole.parent().and_then(|folder| folder.canonicalize().ok()), whole.file_name()) {
         (Some(folder), Some(name)) => folder.join(name),
         _ => whole,

@@ -8,6 +8,7 @@ use federpendel_text::Catalogue;
 use tempfile::{Builder, NamedTempFile, TempPath};
 
 use super::Format;
+use super::targets::real;
 use crate::failure::Failure;
 
 /// Writes every file beside its place, then puts all in place.
@@ -18,16 +19,16 @@ pub(super) fn write(
 ) -> Result<(), Failure> {
     let failed =
         |path: &Path, error| Failure::system(catalogue, &path.display().to_string(), &error);
-    let mut written: Vec<(TempPath, PathBuf)> = Vec::new();
+    let mut written: Vec<(TempPath, &PathBuf, PathBuf)> = Vec::new();
     for (path, format) in files {
         // A link stays a link: what it points to is replaced.
-        let place = path.canonicalize().unwrap_or_else(|_| path.clone());
+        let place = real(path);
         let temporary = write_beside(&place, |out| render(*format, out))
             .map_err(|error| failed(path, error))?;
-        written.push((temporary, place));
+        written.push((temporary, path, place));
     }
     let mut placed: Vec<Placed> = Vec::new();
-    for (temporary, place) in written {
+    for (temporary, path, place) in written {
         let done = set_aside(&place).and_then(|former| {
             temporary.persist(&place).map_err(|error| error.error)?;
             Ok(Placed { place: place.clone(), former })
@@ -36,7 +37,7 @@ pub(super) fn write(
             Ok(file) => placed.push(file),
             Err(error) => {
                 placed.into_iter().for_each(Placed::take_back);
-                return Err(failed(&place, error));
+                return Err(failed(path, error));
             }
         }
     }
@@ -150,6 +151,19 @@ mod tests {
         names.sort();
         assert_eq!(names, ["broken.svg", "old.csv"]);
         assert_eq!(fs::read(folder.path().join("old.csv")).expect("the old file"), b"old");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_file_that_is_not_there_yet_stays_a_link() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let link = folder.path().join("link.csv");
+        std::os::unix::fs::symlink("motion.csv", &link).expect("a link");
+        let catalogue = Catalogue::new(Language::English);
+        let files = [(link.clone(), Format::Csv)];
+        assert!(write(&files, &catalogue, |_, out| out.write_all(b"new")).is_ok());
+        assert!(link.is_symlink());
+        assert_eq!(fs::read(folder.path().join("motion.csv")).expect("the file"), b"new");
     }
 
     #[test]
