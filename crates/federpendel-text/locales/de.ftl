@@ -59,6 +59,7 @@ derived-damping-rate = Abklingrate
 derived-offset = Verschiebung durch die Coulombsche Reibung
 derived-sticking-offset = halbe Breite des Haftbereichs
 derived-newton-rate = Rate der Newtonschen Reibung
+derived-acceleration = Beschleunigung
 derived-amplitude = Amplitude
 derived-energy = Energie
 
@@ -74,6 +75,7 @@ range-count-from-two = eine ganze Zahl, 2 oder größer
 error-parameter = { $name } ist { $value }; erlaubt ist { $allowed }
 error-static-below-kinetic = { $name } ist { $static }; erlaubt ist mindestens die Gleitreibungszahl (kinetic), { $kinetic }
 error-no-normal-force = { $name } ist { $value }; die Coulombsche Reibung braucht eine Normalkraft größer als 0
+error-magnitude = { $name } ist { $value }; erlaubt sind Beträge von { $smallest } bis { $largest }
 error-derived = { $fields }: aus den angegebenen Werten folgt { $quantity } = { $value }; erlaubt sind Beträge von { $smallest } bis { $largest }
 error-drag-too-strong = Die Newtonsche Reibung ist zu stark: Rate κ mal Amplitude ist { $value }; erlaubt ist höchstens { $limit }
 error-too-many-swings = { $name } ist { $time }; diese Bewegung lässt sich bis { $reached } verfolgen ({ $swings ->

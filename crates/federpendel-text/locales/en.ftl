@@ -59,6 +59,7 @@ derived-damping-rate = damping rate
 derived-offset = offset of Coulomb friction
 derived-sticking-offset = half width of the sticking band
 derived-newton-rate = rate of Newton friction
+derived-acceleration = acceleration
 derived-amplitude = amplitude
 derived-energy = energy
 
@@ -74,6 +75,7 @@ range-count-from-two = a whole number, 2 or greater
 error-parameter = { $name } is { $value }; allowed is { $allowed }
 error-static-below-kinetic = { $name } is { $static }; allowed is at least kinetic, { $kinetic }
 error-no-normal-force = { $name } is { $value }; Coulomb friction needs a normal force greater than 0
+error-magnitude = { $name } is { $value }; allowed are magnitudes from { $smallest } to { $largest }
 error-derived = { $fields }: from the values given follows { $quantity } = { $value }; allowed are magnitudes from { $smallest } to { $largest }
 error-drag-too-strong = Newton friction is too strong: rate κ times amplitude is { $value }; allowed is at most { $limit }
 error-too-many-swings = { $name } is { $time }; this motion can be followed up to { $reached } ({ $swings ->

@@ -34,6 +34,16 @@ impl Catalogue {
                     ("value", self.exact_quantity(value, unit(name)).into()),
                 ],
             ),
+            // An input itself, not what follows from several.
+            Error::Derived { quantity, value, of: [only] } if *only == quantity => self.format(
+                "error-magnitude",
+                &[
+                    ("name", self.field(quantity).into()),
+                    ("value", self.exact_quantity(value, unit(quantity)).into()),
+                    ("smallest", self.exact_quantity(SMALLEST, "1").into()),
+                    ("largest", self.exact_quantity(LARGEST, "1").into()),
+                ],
+            ),
             Error::Derived { quantity, value, of } => self.format(
                 "error-derived",
                 &[

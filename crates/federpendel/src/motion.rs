@@ -132,6 +132,9 @@ impl Motion {
         derived("amplitude", OF, amplitude, moves)?;
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
+        let fastest = reduced.omega0.hi() * reduced.omega0.hi() * amplitude;
+        let acceleration = fastest * (1.0 + 2.0 * reduced.zeta.hi() + drag);
+        derived("acceleration", OF, acceleration, moves)?;
         if drag > STRONGEST_DRAG {
             return Err(Error::DragTooStrong { value: drag, limit: STRONGEST_DRAG });
         }

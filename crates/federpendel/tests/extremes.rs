@@ -98,3 +98,11 @@ fn friction_far_stronger_than_the_throw_stops_it_near_its_release() {
     assert!((rest.position - 4.2e-8 - way).abs() < 1e-22, "{rest:?}");
     assert!((rest.time * deceleration / 2.45e-7 - 1.0).abs() < 1e-14, "{rest:?}");
 }
+
+/// Found by fuzzing: a throw whose braking overflows.
+#[test]
+fn an_acceleration_out_of_range_is_refused() {
+    let oscillator = Oscillator::new(1.2e-255, 408_000.0, Stokes::new(1e-5).unwrap()).unwrap();
+    let release = State::new(-1e-9, -3.7e255).unwrap();
+    assert_eq!(refused(Motion::new(oscillator, release)), "acceleration");
+}
