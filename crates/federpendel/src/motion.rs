@@ -132,9 +132,11 @@ impl Motion {
         derived("amplitude", OF, amplitude, moves)?;
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
-        let fastest = reduced.omega0.hi() * reduced.omega0.hi() * amplitude;
-        let acceleration = fastest * (1.0 + 2.0 * reduced.zeta.hi() + drag);
-        derived("acceleration", OF, acceleration, moves)?;
+        // In units of ω0² m, in which it is computed, and in SI units.
+        let acceleration = amplitude * (1.0 + 2.0 * reduced.zeta.hi() + drag);
+        derived("acceleration/omega0^2", OF, acceleration, moves)?;
+        let unit = reduced.omega0.hi() * reduced.omega0.hi();
+        derived("acceleration", OF, acceleration * unit, moves)?;
         if drag > STRONGEST_DRAG {
             return Err(Error::DragTooStrong { value: drag, limit: STRONGEST_DRAG });
         }

@@ -105,4 +105,7 @@ fn an_acceleration_out_of_range_is_refused() {
     let oscillator = Oscillator::new(1.2e-255, 408_000.0, Stokes::new(1e-5).unwrap()).unwrap();
     let release = State::new(-1e-9, -3.7e255).unwrap();
     assert_eq!(refused(Motion::new(oscillator, release)), "acceleration");
+    let oscillator = Oscillator::new(2.56e-7, 1.97e-236, Stokes::new(9.5e-6).unwrap()).unwrap();
+    let release = State::new(-257.0, -1.2e134).unwrap();
+    assert_eq!(refused(Motion::new(oscillator, release)), "acceleration/omega0^2");
 }

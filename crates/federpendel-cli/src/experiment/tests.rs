@@ -130,6 +130,20 @@ fn odd_files_are_refused() {
     assert!(matches!(parse(b"[a]\n[a]\n"), Err(Error::Syntax { .. })));
 }
 
+/// Found by fuzzing: a tab in a line that a message shows.
+#[test]
+fn messages_are_one_line_without_tabs() {
+    use federpendel_text::{Catalogue, Language};
+    let catalogue = Catalogue::new(Language::English);
+    for file in
+        ["oscillator.mass \t 5e-1", "[oscillator]\nmass\t=\t300\tg", "mass = \t\u{201c}3 g\u{201c}"]
+    {
+        let error = parse(file.as_bytes()).unwrap_err();
+        let sentence = crate::words::experiment_error(&catalogue, &error, Some("my.toml"));
+        assert!(!sentence.contains(char::is_control), "{sentence:?}");
+    }
+}
+
 mod properties {
     use super::*;
     use proptest::prelude::*;

@@ -2,6 +2,7 @@
 
 use federpendel_text::Catalogue;
 
+use super::excerpt;
 use crate::experiment::Syntax;
 
 /// What is wrong with a file that is not TOML, and how it is written rightly: the user's own line
@@ -9,14 +10,14 @@ use crate::experiment::Syntax;
 pub(super) fn not_toml(catalogue: &Catalogue, problem: &Syntax, example: Option<&str>) -> String {
     let (id, other) = match problem {
         Syntax::Unquoted { key, value } => {
-            let variables = [("key", key.as_str().into()), ("value", value.as_str().into())];
+            let variables = [("key", excerpt(key).into()), ("value", excerpt(value).into())];
             return catalogue.format("toml-unquoted", &variables);
         }
         Syntax::Twice { key } => {
-            return catalogue.format("toml-twice", &[("key", key.as_str().into())]);
+            return catalogue.format("toml-twice", &[("key", excerpt(key).into())]);
         }
         Syntax::Other(problem) => {
-            return catalogue.format("toml-other", &[("problem", problem.as_str().into())]);
+            return catalogue.format("toml-other", &[("problem", excerpt(problem).into())]);
         }
         Syntax::UnclosedList => return catalogue.text("toml-unclosed-list"),
         Syntax::Trailing => return catalogue.text("toml-trailing"),
@@ -32,5 +33,6 @@ pub(super) fn not_toml(catalogue: &Catalogue, problem: &Syntax, example: Option<
         Syntax::Comma => ("toml-comma", "{ kinetic = 0.02, static = 0.03 }"),
         Syntax::BadNumber => ("toml-bad-number", "mass = \"0,5 kg\""),
     };
-    catalogue.format(id, &[("example", example.unwrap_or(other).to_owned().into())])
+    // A line of the user's may hold tabs.
+    catalogue.format(id, &[("example", excerpt(example.unwrap_or(other)).into())])
 }
