@@ -49,6 +49,10 @@ parameter-samples = Abtastwerte
     .description = Anzahl der Abtastwerte der Aufzeichnung, beide Enden mitgezählt
 parameter-dt = Zeitschritt
     .description = Zeitschritt eines numerischen Verfahrens
+parameter-tolerance = Toleranz
+    .description = Fehler, den ein Verfahren mit Schrittweitensteuerung in einem Schritt machen darf, bezogen auf die Amplitude
+parameter-width = Breite der geglätteten Reibung
+    .description = Geschwindigkeit, über die geglättete Reibung den Sprung der trockenen ersetzt
 parameter-time = Zeit
     .description = Zeitpunkt, für den nach der Bewegung gefragt wird
 
@@ -350,6 +354,8 @@ cli-dt-without-scheme = --dt ist „{ $value }“, aber das Verfahren ist { $met
 cli-not-found = Datei oder Ordner nicht gefunden
 cli-permission-denied = keine Berechtigung
 cli-is-a-folder = das ist ein Ordner, keine Datei
+cli-is-no-folder = ein Teil dieses Pfads ist eine Datei, kein Ordner
+cli-name-too-long = dieser Name ist zu lang oder enthält ein Zeichen, das das System nicht erlaubt
 cli-storage-full = kein Platz mehr auf dem Datenträger
 remark-equation = Gleichung ({ $number })
 remark-scheme = Das Verfahren
@@ -371,5 +377,101 @@ summary-energy-values = { $initial } beim Loslassen; am Ende der Aufzeichnung { 
 summary-heading-of = { $heading } ({ $whose })
 summary-margin-tie = auf der Kante, im Rahmen der Rundung
 summary-margin-distance = { $distance } vom Rand entfernt
-cli-is-no-folder = ein Teil dieses Pfads ist eine Datei, kein Ordner
-cli-name-too-long = dieser Name ist zu lang oder enthält ein Zeichen, das das System nicht erlaubt
+
+### Weitere Bilder
+
+plot-motion = Bewegung
+plot-speed = Geschwindigkeit
+plot-release = Loslassen: { $position }, { $velocity }
+plot-phase-rest = Ruhe: { $position }
+plot-phase-title = Phasenbild, { $mix }
+plot-phase-description = { $title }: Geschwindigkeit über der Auslenkung, ab { $position } und { $velocity } beim Loslassen; Auslenkungen zwischen { $lowest } und { $highest }, Geschwindigkeiten zwischen { $slowest } und { $fastest }. Die Masse { $outcome }.
+plot-energy = Energie
+plot-energy-title = Verbleib der Energie, { $mix }
+plot-energy-kinetic = Kinetisch
+plot-energy-potential = Potentiell
+plot-energy-stokes = Wärme der Stokesschen Reibung
+plot-energy-coulomb = Wärme der Coulombschen Reibung
+plot-energy-newton = Wärme der Newtonschen Reibung
+plot-energy-description = { $title }: gestapelte Flächen über { $duration }; ihre Summe ist die Energie beim Loslassen, { $total }. Am Ende, von oben nach unten: { $parts }.
+plot-energy-part = { $name } { $energy }
+plot-mean-amplitude = Mittlere Amplitude
+plot-loss = Abnahme je Halbschwingung
+plot-decrement-title = Abnahme der Amplitude, { $mix }
+plot-decrement-swings = Halbschwingungen
+plot-decrement-some = Halbschwingungen (1 von { $stride })
+plot-decrement-law = Gemitteltes Gesetz { $formula }
+plot-decrement-coulomb = Achsenabschnitt 2f = { $value } (Coulomb)
+plot-decrement-stokes = Steigung πγ/ω₀ = { $value } (Stokes)
+plot-decrement-newton = Krümmung (4/3)κ = { $value } (Newton)
+plot-decrement-empty = Keine Halbschwingung: Es sind weniger als zwei Amplituden bekannt
+plot-decrement-description =
+    { $title }: { $swings ->
+        [one] Eine Halbschwingung verliert
+       *[other] { $swings } Halbschwingungen verlieren
+    } jeweils zwischen { $least } und { $most }, bei mittleren Amplituden bis { $largest }. Die Linie ist das gemittelte Gesetz { $formula }.
+plot-error = Fehler
+plot-errors-title = Fehler der Auslenkung, { $mix }
+plot-errors-description = { $title }: Abstand von der exakten Bewegung über { $duration }, auf logarithmischer Achse. Größter Fehler: { $methods }.
+plot-errors-method = { $name } { $error }
+plot-largest-error = Größter Fehler
+plot-time-step = Zeitschritt
+plot-steps = Schritte
+plot-convergence-title = Größter Fehler über dem Zeitschritt, { $mix }
+plot-convergence-description = { $title }, beide Achsen logarithmisch. { $methods }.
+plot-convergence-method = { $name }: Ordnung { $order } laut Entwurf, { $observed } beobachtet, Fehler bis hinab zu { $error }
+plot-convergence-unobserved = keine
+plot-order = Ordnung
+plot-order-observed = { $name } (p ≈ { $order })
+plot-work-title = Größter Fehler über der Zahl der Schritte, { $mix }
+plot-work-description = { $title }, beide Achsen logarithmisch. { $methods }.
+plot-work-method = { $name }: { $error } mit { $steps } Schritten
+plot-no-errors = Kein Fehler über null zu zeigen
+plot-overlay-title = Bewegung und Verfahren, { $mix }
+plot-overlay-last-swings = Die letzten Halbschwingungen, näher betrachtet
+plot-overlay-last-periods = Die letzten zwei Perioden, näher betrachtet
+plot-overlay-description = { $title }: Auslenkung über { $duration }, dazu der Abschnitt von { $from } bis { $until }, näher betrachtet. Die Masse { $outcome }. Auslenkung am Ende: { $methods }.
+
+### Verfahren neben der exakten Bewegung
+
+cli-compare = Verfahren neben die exakte Bewegung eines Versuchs halten: wie weit daneben, von welcher Ordnung, mit welchem Aufwand
+cli-compare-examples =
+    Beispiele:
+      federpendel compare
+      federpendel compare mein.toml --against rk4,rk4-located --dt "5 ms"
+      federpendel compare mein.toml --plot convergence -o ordnungen.svg
+      federpendel compare --against dopri5-located --tolerance 1e-9 --details
+      federpendel compare --format json > vergleich.json
+cli-value-names = NAMEN
+cli-against = Verfahren, durch Kommas getrennt: { $methods } (Vorgabe: alle, die hier gelten)
+cli-compare-dt = Zeitschritt der Verfahren, die einen nehmen (Vorgabe: ein Tausendstel der Periode)
+cli-tolerance = Fehler, den dopri5 und dopri5-located in einem Schritt machen dürfen, bezogen auf die Amplitude (Vorgabe: 1e-6)
+cli-width = Geschwindigkeit, über die rk4-tanh die trockene Reibung glättet (Vorgabe: 1 % von ω0 mal Amplitude)
+cli-theme = Worauf Bilder gezeichnet werden: light (hell, Vorgabe) oder dark (dunkel)
+cli-plot-motion = Was Bilder zeigen: { $plots } (Vorgabe: motion)
+cli-plot-comparison = Was Bilder zeigen: { $plots } (Vorgabe: error)
+compare-unknown-method = --against nennt „{ $name }“; erlaubt sind { $allowed }
+compare-does-not-apply = --against nennt „{ $name }“, das hier nicht gilt. { $reason }
+compare-one = { $method } weicht um bis zu { $error } davon ab.
+compare-range = Am nächsten bleibt { $nearest }, bis auf { $least }; am weitesten weicht { $farthest } ab, um { $most }.
+compare-head-method = Verfahren
+compare-head-error = größter Fehler
+compare-head-order = Ordnung
+compare-head-rest = nach der Ruhe
+compare-head-steps = Schritte
+compare-head-time = Laufzeit
+compare-order-note = Ordnung: laut Entwurf → beobachtet bei sechs Halbierungen des Schritts
+compare-failed = gescheitert
+compare-sticks = haftet
+compare-creeps = kriecht { $speed }
+compare-goes-on = schwingt weiter
+compare-failure = { $method } ist gescheitert: { $reason }.
+compare-detail-largest = größter Fehler einer Auslenkung
+compare-detail-when = wann das war
+compare-detail-mean = mittlerer quadratischer Fehler (Wurzel)
+compare-detail-energy = größter Fehler der Energie, bezogen auf die beim Loslassen
+compare-detail-final = Auslenkung am Ende
+compare-detail-rungs = Fehler bei immer kürzeren Schritten
+compare-detail-creep = Nach der Ruhe: beobachtet in der zweiten ungedämpften Periode, nachdem die Masse zur Ruhe gekommen ist.
+error-step-underflow = bei { $time } ist der Schritt auf { $step } geschrumpft, womit die Zeit nicht mehr vorankommt; eine größere Toleranz kann halten
+error-step-limit = bei { $time } waren die { $limit } erlaubten Schritte verbraucht

@@ -49,6 +49,10 @@ parameter-samples = samples
     .description = Number of samples of the record, both ends included
 parameter-dt = time step
     .description = Time step of a numeric scheme
+parameter-tolerance = tolerance
+    .description = Error that a method which chooses its steps may make in one, over the amplitude
+parameter-width = width of smooth friction
+    .description = Velocity over which smooth friction stands in for the jump of dry friction
 parameter-time = time
     .description = Time at which the motion is asked for
 
@@ -350,6 +354,8 @@ cli-dt-without-scheme = --dt is “{ $value }”, but the method is { $method };
 cli-not-found = no such file or folder
 cli-permission-denied = permission denied
 cli-is-a-folder = this is a folder, not a file
+cli-is-no-folder = a part of this path is a file, not a folder
+cli-name-too-long = this name is too long or holds a sign that the system does not allow
 cli-storage-full = no space left on the device
 remark-equation = Equation ({ $number })
 remark-scheme = The scheme
@@ -371,5 +377,101 @@ summary-energy-values = { $initial } at release; at the end of the record { $lef
 summary-heading-of = { $heading } ({ $whose })
 summary-margin-tie = on the edge, within rounding
 summary-margin-distance = { $distance } from its edge
-cli-is-no-folder = a part of this path is a file, not a folder
-cli-name-too-long = this name is too long or holds a sign that the system does not allow
+
+### Further plots
+
+plot-motion = Motion
+plot-speed = Velocity
+plot-release = Release: { $position }, { $velocity }
+plot-phase-rest = Rest: { $position }
+plot-phase-title = Phase portrait, { $mix }
+plot-phase-description = { $title }: velocity against displacement, from { $position } and { $velocity } at the release; displacements between { $lowest } and { $highest }, velocities between { $slowest } and { $fastest }. The mass { $outcome }.
+plot-energy = Energy
+plot-energy-title = Where the energy is, { $mix }
+plot-energy-kinetic = Kinetic
+plot-energy-potential = Potential
+plot-energy-stokes = Heat of Stokes friction
+plot-energy-coulomb = Heat of Coulomb friction
+plot-energy-newton = Heat of Newton friction
+plot-energy-description = { $title }: stacked areas over { $duration }; their sum is the energy of the release, { $total }. At the end, from top to bottom: { $parts }.
+plot-energy-part = { $name } { $energy }
+plot-mean-amplitude = Mean amplitude
+plot-loss = Loss per swing
+plot-decrement-title = Loss of amplitude, { $mix }
+plot-decrement-swings = Swings
+plot-decrement-some = Swings (1 in { $stride })
+plot-decrement-law = Averaged law { $formula }
+plot-decrement-coulomb = Intercept 2f = { $value } (Coulomb)
+plot-decrement-stokes = Slope πγ/ω₀ = { $value } (Stokes)
+plot-decrement-newton = Curvature (4/3)κ = { $value } (Newton)
+plot-decrement-empty = There is no swing: fewer than two amplitudes are known
+plot-decrement-description =
+    { $title }: { $swings ->
+        [one] one swing loses
+       *[other] { $swings } swings lose
+    } between { $least } and { $most } each, at mean amplitudes up to { $largest }. The line is the averaged law { $formula }.
+plot-error = Error
+plot-errors-title = Error of the displacement, { $mix }
+plot-errors-description = { $title }: distance from the exact motion over { $duration }, on a logarithmic axis. Largest error: { $methods }.
+plot-errors-method = { $name } { $error }
+plot-largest-error = Largest error
+plot-time-step = Time step
+plot-steps = Steps
+plot-convergence-title = Largest error against time step, { $mix }
+plot-convergence-description = { $title }, both axes logarithmic. { $methods }.
+plot-convergence-method = { $name }: order { $order } by design, { $observed } observed, error down to { $error }
+plot-convergence-unobserved = none
+plot-order = Order
+plot-order-observed = { $name } (p ≈ { $order })
+plot-work-title = Largest error against steps taken, { $mix }
+plot-work-description = { $title }, both axes logarithmic. { $methods }.
+plot-work-method = { $name }: { $error } with { $steps } steps
+plot-no-errors = No error above zero to show
+plot-overlay-title = Motion and methods, { $mix }
+plot-overlay-last-swings = The last swings, seen closer
+plot-overlay-last-periods = The last two periods, seen closer
+plot-overlay-description = { $title }: displacement over { $duration }, and the part from { $from } to { $until } seen closer. The mass { $outcome }. Displacement at the end: { $methods }.
+
+### Methods beside the exact motion
+
+cli-compare = Hold methods beside the exact motion of an experiment: how far off, of what order, at what cost
+cli-compare-examples =
+    Examples:
+      federpendel compare
+      federpendel compare my.toml --against rk4,rk4-located --dt "5 ms"
+      federpendel compare my.toml --plot convergence -o orders.svg
+      federpendel compare --against dopri5-located --tolerance 1e-9 --details
+      federpendel compare --format json > comparison.json
+cli-value-names = NAMES
+cli-against = Methods, with commas between them: { $methods } (default: all that apply)
+cli-compare-dt = Time step of the methods that take one (default: a thousandth of the period)
+cli-tolerance = Error that dopri5 and dopri5-located may make in a step, over the amplitude (default: 1e-6)
+cli-width = Velocity over which rk4-tanh smooths dry friction (default: 1 % of ω0 times the amplitude)
+cli-theme = What pictures are drawn on: light (default) or dark
+cli-plot-motion = What pictures show: { $plots } (default: motion)
+cli-plot-comparison = What pictures show: { $plots } (default: error)
+compare-unknown-method = --against names “{ $name }”; allowed are { $allowed }
+compare-does-not-apply = --against names “{ $name }”, which does not apply here. { $reason }
+compare-one = { $method } is up to { $error } away from it.
+compare-range = Nearest to it stays { $nearest }, within { $least }; farthest off is { $farthest }, by { $most }.
+compare-head-method = method
+compare-head-error = largest error
+compare-head-order = order
+compare-head-rest = after rest
+compare-head-steps = steps
+compare-head-time = run time
+compare-order-note = order: declared → observed over six halvings of the step
+compare-failed = failed
+compare-sticks = sticks
+compare-creeps = creeps { $speed }
+compare-goes-on = swings on
+compare-failure = { $method } failed: { $reason }.
+compare-detail-largest = largest error of a position
+compare-detail-when = when that was
+compare-detail-mean = root mean square error
+compare-detail-energy = largest error of the energy, over that of the release
+compare-detail-final = position at the end
+compare-detail-rungs = error for shorter and shorter steps
+compare-detail-creep = After rest: watched during the second undamped period after the mass has come to rest.
+error-step-underflow = at { $time } the step has shrunk to { $step }, where time no longer advances; a larger tolerance may hold
+error-step-limit = at { $time } the { $limit } steps allowed were used up

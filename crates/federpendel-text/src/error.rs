@@ -106,6 +106,20 @@ impl Catalogue {
                     ("time", self.quantity(time, "s", DIGITS).into()),
                 ],
             ),
+            Error::StepUnderflow { time, step } => self.format(
+                "error-step-underflow",
+                &[
+                    ("time", self.quantity(time, "s", DIGITS).into()),
+                    ("step", self.quantity(step, "s", 2).into()),
+                ],
+            ),
+            Error::StepLimit { time, limit } => self.format(
+                "error-step-limit",
+                &[
+                    ("time", self.quantity(time, "s", DIGITS).into()),
+                    ("limit", self.number(limit as f64, DIGITS).into()),
+                ],
+            ),
             Error::TooManySteps { time, time_step, steps, limit } => self.format(
                 "error-too-many-steps",
                 &[
@@ -198,6 +212,8 @@ mod tests {
             Error::NoPhase,
             Error::Diverged { time_step: 1.0, time: 40.0 },
             Error::TooManySteps { time: 1.0, time_step: 1e-12, steps: 1e12, limit: 1_000_000 },
+            Error::StepUnderflow { time: 5.0, step: 1e-17 },
+            Error::StepLimit { time: 5.0, limit: 1_000_000 },
             Error::Length { name: "velocities", found: 3, expected: 4 },
             Error::NotInArticle { mix: Mix { stokes: true, coulomb: true, newton: true } },
         ];

@@ -128,6 +128,22 @@ pub enum Error {
         /// Time of the first step that is not finite, s.
         time: f64,
     },
+    /// A method with a tolerance finds no step short enough for it.
+    #[error("at {time} s the step has shrunk to {step} s, where time no longer advances")]
+    StepUnderflow {
+        /// The time reached, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+    },
+    /// A method has used up the steps allowed.
+    #[error("at {time} s the {limit} steps allowed are used up")]
+    StepLimit {
+        /// The time reached, s.
+        time: f64,
+        /// Number of steps allowed.
+        limit: u64,
+    },
     /// A numeric scheme would need more steps than the limit allows.
     #[error(
         "time is {time} s; with dt = {time_step} s it needs {steps} steps, at most {limit} are taken"

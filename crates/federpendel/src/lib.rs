@@ -37,6 +37,7 @@ mod double;
 pub mod energy;
 pub mod error;
 pub mod friction;
+pub mod lens;
 pub mod motion;
 pub mod oscillator;
 pub mod outcome;

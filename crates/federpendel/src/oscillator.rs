@@ -29,7 +29,7 @@ impl State {
     /// The state of a release at `position` (m) with `velocity` (m/s).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for NaN or an infinity.
+    /// [`Error::Parameter`](crate::Error::Parameter) for NaN or an infinity.
     pub fn new(position: f64, velocity: f64) -> Result<Self> {
         parameter::POSITION.check(position)?;
         parameter::VELOCITY.check(velocity)?;
@@ -152,7 +152,7 @@ impl Oscillator {
     /// An oscillator of `mass` m in kg on a spring of `stiffness` C in N/m, both above zero.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a value out of range; [`Error::Derived`] where values allowed one
+    /// [`Error::Parameter`](crate::Error::Parameter) for a value out of range; [`Error::Derived`](crate::Error::Derived) where values allowed one
     /// by one make a frequency, an offset or a rate that overflows or underflows.
     pub fn new(mass: f64, stiffness: f64, friction: impl Into<Friction>) -> Result<Self> {
         let friction = friction.into();

@@ -116,6 +116,10 @@ parameters! {
     SAMPLES = "samples", "n", "1", CountFromTwo, Some(2001.0);
     /// Time step Δt of a numeric scheme.
     TIME_STEP = "dt", "Δt", "s", Positive, None;
+    /// Error that a method which chooses its steps may make in one, over the amplitude.
+    TOLERANCE = "tolerance", "ε", "1", Positive, Some(1e-6);
+    /// Width of smooth friction μF_N tanh(v/width), which stands in for the sign of v.
+    WIDTH = "width", "v_w", "m/s", Positive, None;
     /// A time at which the motion is asked for.
     TIME = "time", "t", "s", NonNegative, None;
 }

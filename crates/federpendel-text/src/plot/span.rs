@@ -65,6 +65,14 @@ impl Span {
         };
         fraction.is_finite().then_some(fraction)
     }
+
+    /// The value that lies at `fraction`.
+    pub fn at(&self, fraction: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => self.low + fraction * (self.high - self.low),
+            Scale::Logarithmic => self.low * (self.high / self.low).powf(fraction),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -37,13 +37,7 @@ pub(crate) fn step(span: &Span, most: usize) -> f64 {
 /// What is written at the tick `value`.
 pub(crate) fn label(value: f64, span: &Span, most: usize, language: Language) -> String {
     if span.scale == Scale::Logarithmic {
-        let exponent = value.log10();
-        let whole = (exponent - exponent.round()).abs() < 1e-9;
-        return match exponent.round() as i32 {
-            -3..=3 => number(language, value, 4),
-            power if whole => format!("10{}", superscript(power)),
-            _ => number(language, value, 2),
-        };
+        return logarithmic(value, span, most, language);
     }
     let step = step(span, most);
     // The multiple of the step that is meant, so that 0 is 0 and not a rounding error.
@@ -61,6 +55,25 @@ pub(crate) fn label(value: f64, span: &Span, most: usize, language: Language) ->
     }
 }
 
+/// Plain numbers where all along the axis are short, else powers of ten; nothing between the strides of an axis
+/// of many decades.
+fn logarithmic(value: f64, span: &Span, most: usize, language: Language) -> String {
+    let exponent = value.log10();
+    let power = exponent.round() as i32;
+    let whole = (exponent - exponent.round()).abs() < 1e-9;
+    if whole && power.rem_euclid(stride(span, most)) != 0 {
+        String::new()
+    } else if span.low >= 0.9e-3 && span.high <= 1.1e4 {
+        number(language, value, 4)
+    } else if whole {
+        format!("10{}", superscript(power))
+    } else {
+        let power = exponent.floor() as i32;
+        let times = number(language, value / 10f64.powi(power), 2);
+        format!("{times} × 10{}", superscript(power))
+    }
+}
+
 fn multiples(span: &Span, step: f64) -> Vec<f64> {
     // A hair of slack keeps the tick at the very end of the axis.
     let slack = 1e-9 * (span.high - span.low) / step;
@@ -73,13 +86,34 @@ fn multiples(span: &Span, step: f64) -> Vec<f64> {
 }
 
 fn decades(span: &Span, most: usize) -> Vec<f64> {
-    let first = (span.low.log10() - 1e-9).ceil() as i32;
-    let last = (span.high.log10() + 1e-9).floor() as i32;
-    let stride = ((last - first + 1).max(1) as usize).div_ceil(most.max(1)) as i32;
-    (first..=last)
+    let (first, last) = powers(span);
+    let stride = stride(span, most);
+    let whole: Vec<_> = (first..=last)
         .filter(|power| power.rem_euclid(stride) == 0)
         .map(|power| 10f64.powi(power))
+        .collect();
+    if last - first >= 1 {
+        return whole;
+    }
+    // Too short for whole decades to say much.
+    let within = |value: &f64| (span.low..=span.high).contains(value);
+    (first - 1..=last + 1)
+        .flat_map(|power| [1.0, 2.0, 5.0].map(|times| times * 10f64.powi(power)))
+        .filter(within)
+        .take(most.max(1))
         .collect()
+}
+
+/// The first and the last power of ten within the span.
+fn powers(span: &Span) -> (i32, i32) {
+    let first = (span.low.log10() - 1e-9).ceil() as i32;
+    (first, (span.high.log10() + 1e-9).floor() as i32)
+}
+
+/// How many decades lie between two ticks.
+fn stride(span: &Span, most: usize) -> i32 {
+    let (first, last) = powers(span);
+    ((last - first + 1).max(1) as usize).div_ceil(most.max(1)) as i32
 }
 
 #[cfg(test)]
@@ -100,7 +134,15 @@ mod tests {
         assert_eq!(labels(0.0, 0.3, 4, Scale::Linear), ["0", "0,1", "0,2", "0,3"]);
         assert_eq!(labels(1.99996, 2.0, 3, Scale::Linear), ["1,99996", "1,99998", "2,00000"]);
         assert_eq!(labels(0.0, 5e7, 3, Scale::Linear), ["0", "2 × 10⁷", "4 × 10⁷"]);
-        assert_eq!(labels(1e-6, 1e2, 5, Scale::Logarithmic), ["10⁻⁶", "10⁻⁴", "0,01", "1", "100"]);
+        assert_eq!(
+            labels(1e-6, 1e2, 5, Scale::Logarithmic),
+            ["10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²"]
+        );
+        assert_eq!(
+            labels(1e-3, 1e2, 6, Scale::Logarithmic),
+            ["0,001", "0,01", "0,1", "1", "10", "100"]
+        );
+        assert_eq!(labels(1.5, 7.0, 5, Scale::Logarithmic), ["2", "5"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Coulomb friction alone: the article's section 3.2.
 //!
 //! The article presses the mass down by its weight, F_N = m g; here F_N is whatever
-//! [`NormalForce`] says.
+//! [`NormalForce`](crate::NormalForce) says.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

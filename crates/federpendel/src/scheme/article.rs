@@ -12,10 +12,12 @@
 //! order only without friction; it has a stability limit; and having no static friction it never
 //! comes to rest but chatters and creeps back to x = 0. The static coefficient has no effect here.
 
+mod integration;
 mod stability;
 mod terms;
 mod walk;
 
+pub(super) use self::integration::SCHEME;
 pub use self::walk::Walk;
 
 use self::terms::{Pair, Terms};

@@ -82,9 +82,9 @@ impl Canvas {
         }
     }
 
-    /// A line through `points` as a character in every other cell that it meets: dots would be lost
-    /// among those of a curve that it follows.
-    pub fn beads(&mut self, points: &[(i64, i64)], character: char, role: Role) {
+    /// A line through `points` as a character in one of `every` so many cells that it meets: dots would
+    /// be lost among those of a curve that it follows.
+    pub fn beads(&mut self, points: &[(i64, i64)], character: char, every: usize, role: Role) {
         let mut met = Vec::new();
         for pair in points.windows(2) {
             let (from, to) = (pair[0], pair[1]);
@@ -98,7 +98,7 @@ impl Canvas {
                 }
             }
         }
-        for (_, dot) in met.iter().step_by(2) {
+        for (_, dot) in met.iter().step_by(every) {
             self.put(dot.0, dot.1, character, role);
         }
     }

@@ -1,21 +1,17 @@
-//! SVG and PNG through kuva: the only module that knows it.
-
-use std::sync::Arc;
+//! SVG and PNG through kuva, which only this module and those below it know: axes, legend, dashes.
 
 use kuva::RasterBackend;
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
-use kuva::plot::scatter::MarkerShape;
-use kuva::plot::{BandPlot, LinePlot, LineStyle, ScatterPlot};
-use kuva::render::layout::{Layout, TickFormat};
+use kuva::plot::BandPlot;
+use kuva::plot::legend::LegendPosition;
+use kuva::render::annotations::TextAnnotation;
 use kuva::render::plots::Plot as Drawn;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
-use kuva::render::theme::Theme;
 
 use super::colour::{self, Background};
-use super::{dash, layers};
-use crate::plot::thin::thin;
-use crate::plot::{Dash, Marker, Plot, Scale, Series, Span, Style, ticks};
+use super::frame::{ADVANCE, Frame, LABEL_SIZE, theme};
+use super::{dash, layers, legend};
+use crate::plot::Plot;
 
 /// Size of a picture in CSS pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +20,14 @@ pub struct Size {
     pub width: f64,
     /// Height.
     pub height: f64,
+}
+
+impl Size {
+    /// A size that suits `plot`: one with a lens needs more height.
+    pub fn of(plot: &Plot) -> Self {
+        let size = Size::default();
+        Size { height: if plot.lens.is_some() { 1.6 * size.height } else { size.height }, ..size }
+    }
 }
 
 impl Default for Size {
@@ -37,16 +41,12 @@ impl Default for Size {
 #[error("{0}")]
 pub struct DrawError(String);
 
-/// Width of an ordinary line, px.
-const LINE_WIDTH: f64 = 2.0;
 /// Room that a marker needs, px.
 const MARKER_ROOM: f64 = 9.0;
-/// Size of the names of the axes, px.
-const LABEL_SIZE: u32 = 14;
 /// Where the name of the vertical axis begins, px.
 const LABEL_LEFT: f64 = 12.0;
-/// Most ticks along each axis.
-const MOST_TICKS: (usize, usize) = (9, 8);
+/// Share of the height that a lens takes, which carries the legend too.
+const LENS_SHARE: f64 = 0.52;
 
 /// `plot` as an SVG document with its title and description for screen readers.
 pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
@@ -82,22 +82,69 @@ pub fn png(
 }
 
 fn scene(plot: &Plot, size: Size, background: Background) -> Scene {
-    let (x, y) = (plot.x_span(), plot.y_span());
+    let Some(lens) = &plot.lens else { return panel(plot, size, background, true) };
+    let below = Size { height: LENS_SHARE * size.height, ..size };
+    let above = Size { height: size.height - below.height, ..size };
+    let mut scene = panel(plot, above, background, false);
+    let lens = panel(lens, below, background, true);
+    scene.height = size.height;
+    scene.elements.push(Primitive::GroupStart {
+        transform: Some(format!("translate(0,{})", above.height)),
+        title: None,
+        extra_attrs: None,
+    });
+    scene.elements.extend(lens.elements);
+    scene.elements.push(Primitive::GroupEnd);
+    scene
+}
+
+/// Axes with what is drawn between them.
+fn panel(plot: &Plot, size: Size, background: Background, with_legend: bool) -> Scene {
+    let frame = Frame { x: plot.x_span(), y: plot.y_span() };
     let room = (size.width / MARKER_ROOM) as usize;
     let bands = plot.bands.iter().map(|band| {
-        let height = |value: f64| value.clamp(y.low, y.high);
-        let (low, high) = (height(band.low), height(band.high));
-        BandPlot::new([x.low, x.high], [low, low], [high, high])
-            .with_color(colour::band(background))
-            .with_opacity(1.0)
-            .into()
+        let height = |value: f64| value.clamp(frame.y.low, frame.y.high);
+        let corners = [band.low, band.high]
+            .map(|y| [frame.x.low, frame.x.high].map(|x| frame.place((x, height(y)))));
+        BandPlot::new(
+            corners[0].map(|at| at.0),
+            corners[0].map(|at| at.1),
+            corners[1].map(|at| at.1),
+        )
+        .with_color(colour::band(background))
+        .with_opacity(1.0)
+        .into()
     });
     let layers = layers(plot, room);
-    let series = layers.iter().map(|series| drawn(series, &x, size, background));
+    let series = layers.iter().flat_map(|series| frame.drawn(series, size, background));
     let drawn: Vec<Drawn> = bands.chain(series).collect();
-    let mut scene = render_multiple(drawn, layout(plot, &x, &y, size, background));
+    let mut layout = frame.layout(plot, size, background);
+    if with_legend {
+        layout = layout
+            .with_legend_position(LegendPosition::OutsideBottomColumns)
+            .with_legend_box(false)
+            .with_legend_entries(legend::entries(plot, room, background));
+    }
+    for note in &plot.notes {
+        let (x, y) = frame.place(note.point);
+        layout = layout.with_annotation(TextAnnotation::new(note.text.clone(), x, y));
+    }
+    let mut scene = render_multiple(drawn, layout);
     name_vertical_axis(&mut scene, &plot.y.label);
+    keep_inside(&mut scene, size.width);
     scene
+}
+
+/// Moves labels of the last tick, which may stand on the edge of the picture, fully into it.
+fn keep_inside(scene: &mut Scene, width: f64) {
+    for element in &mut scene.elements {
+        if let Primitive::Text { x, content, size, anchor: TextAnchor::Middle, .. } = element {
+            let half = 0.5 * ADVANCE * f64::from(*size) * content.chars().count() as f64;
+            if 2.0 * half < width {
+                *x = x.clamp(half, width - half);
+            }
+        }
+    }
 }
 
 /// Moves the subtitle, in which the layout has reserved room for the name of the vertical axis, to
@@ -110,116 +157,6 @@ fn name_vertical_axis(scene: &mut Scene, label: &str) {
             (*x, *size, *anchor, *color) = (LABEL_LEFT, LABEL_SIZE, TextAnchor::Start, None);
             return;
         }
-    }
-}
-
-fn drawn(series: &Series, x: &Span, size: Size, background: Background) -> Drawn {
-    let colour = colour::css(series.role, background);
-    let points = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
-        points.iter().copied().filter(|point| point.0.is_finite() && point.1.is_finite()).collect()
-    };
-    if let Some(lower) = &series.lower {
-        let (x, upper): (Vec<_>, Vec<_>) = series.points.iter().copied().unzip();
-        return BandPlot::new(x, lower.iter().copied(), upper)
-            .with_color(colour)
-            .with_opacity(0.8)
-            .into();
-    }
-    match series.style {
-        Style::Line { dash, width } => LinePlot::new()
-            .with_data(points(&thin(&series.points, x, size.width as usize)))
-            .with_color(colour)
-            .with_stroke_width(LINE_WIDTH * width)
-            .with_line_style(line_style(dash))
-            .into(),
-        Style::Markers(marker) => ScatterPlot::new()
-            .with_data(points(&series.points))
-            .with_color(colour)
-            .with_marker(marker_shape(marker))
-            .with_size(if marker == Marker::Diamond { 6.0 } else { 3.5 })
-            .into(),
-    }
-}
-
-fn layout(plot: &Plot, x: &Span, y: &Span, size: Size, background: Background) -> Layout {
-    let format = |span: Span, most: usize, language| {
-        TickFormat::Custom(Arc::new(move |value| ticks::label(value, &span, most, language)))
-    };
-    let (most_x, most_y) = MOST_TICKS;
-    let mut layout = Layout::new((x.low, x.high), (y.low, y.high))
-        .with_width(size.width)
-        .with_height(size.height)
-        .with_title(plot.title.clone())
-        .with_x_label(plot.x.label.clone())
-        .with_subtitle(plot.y.label.clone())
-        .with_subtitle_size(LABEL_SIZE)
-        .with_label_size(LABEL_SIZE)
-        .with_x_axis_min(x.low)
-        .with_x_axis_max(x.high)
-        .with_y_axis_min(y.low)
-        .with_y_axis_max(y.high)
-        .with_x_tick_format(format(*x, most_x, plot.language))
-        .with_y_tick_format(format(*y, most_y, plot.language))
-        .with_theme(theme(background))
-        .with_legend_position(LegendPosition::OutsideBottomColumns)
-        .with_legend_box(false)
-        .with_legend_entries(legend(plot, size, background));
-    layout = match x.scale {
-        Scale::Linear => layout.with_x_tick_step(ticks::step(x, most_x)),
-        Scale::Logarithmic => layout.with_log_x(),
-    };
-    match y.scale {
-        Scale::Linear => layout.with_y_tick_step(ticks::step(y, most_y)),
-        Scale::Logarithmic => layout.with_log_y(),
-    }
-}
-
-fn legend(plot: &Plot, size: Size, background: Background) -> Vec<LegendEntry> {
-    let room = (size.width / MARKER_ROOM) as usize;
-    let shown = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
-    let series = plot.series.iter().filter(shown).map(|series| {
-        let (shape, dasharray) = match series.style {
-            _ if series.lower.is_some() => (LegendShape::Rect, None),
-            // Shorter, so that there is room for a gap.
-            Style::Line { dash: Dash::LongDashed, .. } => (LegendShape::Line, Some("6 3".into())),
-            Style::Line { dash, .. } => (LegendShape::Line, line_style(dash).dasharray()),
-            Style::Markers(marker) => (LegendShape::Marker(marker_shape(marker)), None),
-        };
-        let color = colour::css(series.role, background).to_owned();
-        LegendEntry { label: series.name.clone(), color, shape, dasharray }
-    });
-    let bands = plot.bands.iter().map(|band| LegendEntry {
-        label: band.name.clone(),
-        color: colour::band(background).to_owned(),
-        shape: LegendShape::Rect,
-        dasharray: None,
-    });
-    series.chain(bands).collect()
-}
-
-fn theme(background: Background) -> Theme {
-    let theme = match background {
-        Background::Light => Theme { grid_color: "#e6e6e6".into(), ..Theme::light() },
-        Background::Dark => Theme { grid_color: "#3a3a3a".into(), ..Theme::dark() },
-    };
-    Theme { font_family: Some("sans-serif".into()), ..theme }
-}
-
-fn line_style(dash: Dash) -> LineStyle {
-    match dash {
-        Dash::Solid => LineStyle::Solid,
-        Dash::Dashed => LineStyle::Custom("5 3.5".into()),
-        Dash::LongDashed => LineStyle::Custom("9 6".into()),
-        Dash::Dotted => LineStyle::Custom("2 3".into()),
-    }
-}
-
-fn marker_shape(marker: Marker) -> MarkerShape {
-    match marker {
-        Marker::Circle => MarkerShape::Circle,
-        Marker::Diamond => MarkerShape::Diamond,
-        Marker::Square => MarkerShape::Square,
-        Marker::Triangle => MarkerShape::Triangle,
     }
 }
 

@@ -1,10 +1,12 @@
 //! A plot as text, in braille dots.
 
 use super::braille::Canvas;
-use super::{colour, layers};
+use super::key::{bead, legend, symbol};
+use super::{areas, colour, layers, marks};
+use crate::plot::clip::clip;
 use crate::plot::thin::thin;
 use crate::plot::ticks::{Tick, ticks};
-use crate::plot::{Band, Dash, Marker, Plot, Role, Series, Span, Style};
+use crate::plot::{Band, Plot, Role, Series, Span};
 
 /// Fewest columns and rows in which there is something to see.
 const SMALLEST: (usize, usize) = (24, 8);
@@ -13,6 +15,17 @@ const SMALLEST: (usize, usize) = (24, 8);
 /// `rows` high (the legend may need more); with `colour`, in the colours of the terminal.
 pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> String {
     let (columns, rows) = (columns.max(SMALLEST.0), rows.max(SMALLEST.1));
+    let mut lines = panel(plot, columns, rows, colour);
+    if let Some(lens) = &plot.lens {
+        lines.push(String::new());
+        lines.extend(panel(lens, columns, rows, colour));
+    }
+    lines.extend(legend(plot, columns, columns / 2, colour));
+    lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// Title and axes with what is drawn between them.
+fn panel(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Vec<String> {
     let (x, y) = (plot.x_span(), plot.y_span());
     // Title, name of y, axis, tick labels, name of x and the legend stand around the canvas.
     let height = (rows - 6).max(4);
@@ -28,8 +41,7 @@ pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Strin
     lines.extend(body(&canvas, &y, &y_ticks, margin, colour));
     lines.extend(foot(&x, &x_ticks, margin, canvas.columns));
     lines.push(flush_right(&plot.x.label, columns));
-    lines.extend(legend(plot, columns, room, colour));
-    lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+    lines
 }
 
 /// The title, in as many lines as it needs.
@@ -54,35 +66,50 @@ fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
         let at = |fraction: f64, dots: i64| (fraction * (dots - 1) as f64).round() as i64;
         Some((at(right, width), height - 1 - at(up, height)))
     };
-    for series in layers(plot, room) {
-        match series.style {
-            Style::Line { dash, .. } => {
-                let points = thin(&series.points, x, width as usize);
-                if let Some(bead) = bead(series) {
-                    let dots: Vec<_> = points.iter().copied().filter_map(place).collect();
-                    canvas.beads(&dots, bead, series.role);
-                    continue;
-                }
-                for pair in points.windows(2) {
-                    if let (Some(from), Some(to)) = (place(pair[0]), place(pair[1])) {
-                        canvas.line(from, to, dash, series.role);
-                    }
-                }
-                // A single point has no line to be seen by.
-                if let ([point], Some(at)) = (&points[..], points.first().copied().and_then(place))
-                {
-                    debug_assert!(point.0.is_finite());
-                    canvas.put(at.0, at.1, '•', series.role);
-                }
-                for (point, lower) in series.points.iter().zip(series.lower.iter().flatten()) {
-                    if let (Some(top), Some(bottom)) = (place(*point), place((point.0, *lower))) {
-                        canvas.line(top, bottom, Dash::Solid, series.role);
-                    }
-                }
+    areas::draw(plot, canvas, x, y);
+    for series in layers(plot, room).into_iter().filter(|series| series.lower.is_none()) {
+        draw_line(canvas, series, (x, y), place);
+        if let Some(marker) = series.style.marker() {
+            let number = if let Role::Comparison(n) = series.role { n } else { 0 };
+            for (right, down) in marks(series, number, x, y).into_iter().filter_map(place) {
+                canvas.put(right, down, symbol(marker), series.role);
             }
-            Style::Markers(marker) => {
-                for (right, down) in series.points.iter().copied().filter_map(place) {
-                    canvas.put(right, down, symbol(marker), series.role);
+        }
+    }
+    for note in &plot.notes {
+        if let Some(at) = place(note.point) {
+            draw_note(canvas, &note.text, at);
+        }
+    }
+}
+
+/// A text about a dot, but not beyond the canvas.
+fn draw_note(canvas: &mut Canvas, text: &str, (right, down): (i64, i64)) {
+    let length = 2 * width(text) as i64;
+    let start = (right - length / 2).min(canvas.width() - length).max(0);
+    for (at, sign) in (start..).step_by(2).zip(text.chars()) {
+        canvas.put(at, down, sign, Role::Guide);
+    }
+}
+
+/// The line of a series, if it has one.
+fn draw_line(
+    canvas: &mut Canvas,
+    series: &Series,
+    (x, y): (&Span, &Span),
+    place: impl Fn((f64, f64)) -> Option<(i64, i64)>,
+) {
+    let Some(dash) = series.style.dash() else { return };
+    let points = thin(&series.points, x, canvas.width() as usize);
+    for piece in clip(&points, x, y) {
+        let dots: Vec<_> = piece.into_iter().filter_map(&place).collect();
+        match (bead(series), &dots[..]) {
+            // A single point has no line to be seen by.
+            (_, [at]) => canvas.put(at.0, at.1, '•', series.role),
+            (Some((bead, every)), dots) => canvas.beads(dots, bead, every, series.role),
+            (None, dots) => {
+                for pair in dots.windows(2) {
+                    canvas.line(pair[0], pair[1], dash, series.role);
                 }
             }
         }
@@ -174,70 +201,12 @@ fn column(x: &Span, value: f64, columns: usize) -> usize {
     ((fraction * (2 * columns - 1) as f64).round() as usize / 2).min(columns - 1)
 }
 
-/// The legend, as many entries to a line as fit.
-fn legend(plot: &Plot, columns: usize, room: usize, colour: bool) -> Vec<String> {
-    let listed = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
-    let series = plot.series.iter().filter(listed).map(|series| {
-        let sample = match series.style {
-            _ if bead(series).is_some() => bead(series).map_or_else(String::new, beads),
-            Style::Line { dash: Dash::Solid, .. } => "───".to_owned(),
-            Style::Line { dash: Dash::Dashed | Dash::LongDashed, .. } => "╶╴╶╴".to_owned(),
-            Style::Line { dash: Dash::Dotted, .. } => "····".to_owned(),
-            Style::Markers(marker) => symbol(marker).to_string(),
-        };
-        (sample, Some(series.role), &series.name)
-    });
-    let bands = plot.bands.iter().map(|band| ("⠁⠁⠁".to_owned(), None, &band.name));
-    let mut lines = vec![String::new()];
-    let mut used = 0;
-    for (sample, role, name) in series.chain(bands) {
-        let length = width(&sample) + 1 + width(name);
-        if used > 0 && used + 3 + length > columns {
-            lines.push(String::new());
-            used = 0;
-        }
-        let gap = if used > 0 { "   " } else { "" };
-        used += gap.len() + length;
-        let (on, off) = match role.filter(|_| colour) {
-            Some(role) => (escape(Some(role)), escape(None)),
-            None => Default::default(),
-        };
-        if let Some(line) = lines.last_mut() {
-            line.push_str(&format!("{gap}{on}{sample}{off} {name}"));
-        }
-    }
-    lines
-}
-
-/// The sign of which a broken line held beside a motion is made.
-fn bead(series: &Series) -> Option<char> {
-    match (series.role, series.style) {
-        (Role::Comparison(n), Style::Line { dash: Dash::LongDashed, .. }) => {
-            Some(['×', '+', 'o'][n % 3])
-        }
-        _ => None,
-    }
-}
-
-fn beads(sign: char) -> String {
-    [sign.to_string(), sign.to_string()].join(" ")
-}
-
-fn symbol(marker: Marker) -> char {
-    match marker {
-        Marker::Circle => '●',
-        Marker::Diamond => '◆',
-        Marker::Square => '■',
-        Marker::Triangle => '▲',
-    }
-}
-
-fn escape(role: Option<Role>) -> String {
+pub(super) fn escape(role: Option<Role>) -> String {
     format!("\x1b[{}m", role.map_or(0, colour::ansi))
 }
 
 /// Columns that a text takes; the catalogue's signs are all one column wide.
-fn width(text: &str) -> usize {
+pub(super) fn width(text: &str) -> usize {
     text.chars().count()
 }
 

@@ -1,18 +1,15 @@
 //! One step of the scheme, and the loop over steps, compiled for each mix by itself.
 
-use crate::article::friction_force;
 use crate::oscillator::Oscillator;
+use crate::scheme::equation::Equation;
 
-/// The coefficients of the step, each already over the mass.
+/// What a step is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Terms {
     pub time_step: f64,
     pub per_step: f64,
     pub step_squared: f64,
-    pub spring: f64,
-    pub stokes: f64,
-    pub coulomb: f64,
-    pub newton: f64,
+    pub equation: Equation,
 }
 
 /// x_{i−1} and x_i.
@@ -31,15 +28,11 @@ fn signed(magnitude: f64, velocity: f64) -> f64 {
 
 impl Terms {
     pub fn new(oscillator: &Oscillator, time_step: f64) -> Self {
-        let (mass, friction) = (oscillator.mass(), oscillator.friction());
         Terms {
             time_step,
             per_step: 1.0 / time_step,
             step_squared: time_step * time_step,
-            spring: oscillator.stiffness() / mass,
-            stokes: friction.stokes.map_or(0.0, |law| law.damping()) / mass,
-            coulomb: friction_force(oscillator) / mass,
-            newton: friction.newton.map_or(0.0, |law| law.coefficient()) / mass,
+            equation: Equation::new(oscillator),
         }
     }
 
@@ -50,16 +43,16 @@ impl Terms {
         position: f64,
         quotient: f64,
     ) -> f64 {
-        let mut sum = self.spring * position;
+        let mut sum = self.equation.spring * position;
         if STOKES {
-            sum += self.stokes * quotient;
+            sum += self.equation.stokes * quotient;
         }
         if COULOMB {
-            sum += signed(self.coulomb, quotient);
+            sum += signed(self.equation.coulomb, quotient);
         }
         if NEWTON {
             // sign(q) q² without the sign: it is the same number.
-            sum += self.newton * (quotient * quotient.abs());
+            sum += self.equation.newton * (quotient * quotient.abs());
         }
         sum
     }
@@ -67,7 +60,7 @@ impl Terms {
     /// The same where speed does not matter. Terms that do not act add 0, but for the square of a
     /// quotient that overflows.
     pub fn bracket_of_any_mix(&self, position: f64, quotient: f64) -> f64 {
-        if self.newton == 0.0 {
+        if self.equation.newton == 0.0 {
             self.bracket::<true, true, false>(position, quotient)
         } else {
             self.bracket::<true, true, true>(position, quotient)

@@ -1,0 +1,64 @@
+//! A method on its way, with a limit to its steps.
+
+use crate::error::{Error, Result};
+use crate::oscillator::State;
+use crate::scheme::{Integration, Scheme, Setting};
+
+/// Most steps that a method takes here before it is given up.
+pub const MOST_STEPS: u64 = 100_000_000;
+
+/// Most steps of a method that chooses them itself: where dry friction has stopped the mass they can shrink
+/// without end.
+const MOST_CHOSEN_STEPS: u64 = 1_000_000;
+
+/// A method on its way through a motion, step after step.
+pub struct Course {
+    integration: Box<dyn Integration>,
+    steps: u64,
+    limit: u64,
+}
+
+impl Course {
+    /// The method at the release.
+    ///
+    /// # Errors
+    /// As [`Scheme::start`].
+    pub fn new(scheme: &Scheme, setting: &Setting) -> Result<Self> {
+        let limit = if scheme.adaptive { MOST_CHOSEN_STEPS } else { MOST_STEPS };
+        Ok(Course { integration: scheme.start(setting)?, steps: 0, limit })
+    }
+
+    /// Steps taken so far.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The time reached, s, and the state there.
+    pub fn now(&self) -> (f64, State) {
+        (self.integration.time(), self.integration.state())
+    }
+
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// As [`Integration::step`], and [`Error::StepLimit`] after [`MOST_STEPS`], or a million steps that the
+    /// method chose itself.
+    pub fn step(&mut self) -> Result<()> {
+        if self.steps >= self.limit {
+            return Err(Error::StepLimit { time: self.integration.time(), limit: self.limit });
+        }
+        self.steps += 1;
+        self.integration.step()
+    }
+
+    /// The state at `time` (s), which must not lie before the last step.
+    ///
+    /// # Errors
+    /// As [`Course::step`].
+    pub fn at(&mut self, time: f64) -> Result<State> {
+        while self.integration.time() < time {
+            self.step()?;
+        }
+        Ok(self.integration.within(time))
+    }
+}
