@@ -13,18 +13,25 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 use clap_complete::Shell;
+use federpendel_text::plot::draw::Background;
 use federpendel_text::{Catalogue, Language};
 
 use crate::experiment::Field;
 use crate::failure::Failure;
-pub use crate::output::{Dialect, Format};
+pub use crate::output::{ComparisonPicture, Dialect, Format, MotionPicture};
 pub use crate::record::Method;
+
+/// What pictures can be drawn on.
+const LIGHT: &str = "light";
+const DARK: &str = "dark";
 
 /// What the user asks for.
 #[derive(Debug)]
 pub enum Request {
     /// Simulate an experiment.
     Simulate(Simulate),
+    /// Hold methods beside its exact motion.
+    Compare(Compare),
     /// Write the completions for a shell.
     Completions(Shell),
     /// Write the manual page.
@@ -33,17 +40,18 @@ pub enum Request {
     Print(String),
 }
 
-/// The arguments of `simulate`.
+/// The experiment that a command is about.
 #[derive(Debug)]
-pub struct Simulate {
+pub struct Subject {
     /// The experiment file; none for the built-in experiment.
     pub experiment: Option<PathBuf>,
     /// Fields given as flags.
     pub overrides: Vec<(Field, String)>,
-    /// The method of computation.
-    pub method: Method,
-    /// Time step of a numeric scheme, as written.
-    pub time_step: Option<String>,
+}
+
+/// Where results go, and how.
+#[derive(Debug)]
+pub struct Results {
     /// Files to write.
     pub outputs: Vec<PathBuf>,
     /// What standard output gets.
@@ -52,6 +60,42 @@ pub struct Simulate {
     pub dialect: Dialect,
     /// Whether the summary tells everything.
     pub details: bool,
+    /// What pictures are drawn on.
+    pub background: Background,
+}
+
+/// The arguments of `simulate`.
+#[derive(Debug)]
+pub struct Simulate {
+    /// The experiment.
+    pub subject: Subject,
+    /// The method of computation.
+    pub method: Method,
+    /// Time step of a numeric scheme, as written.
+    pub time_step: Option<String>,
+    /// What pictures show.
+    pub picture: MotionPicture,
+    /// Where results go.
+    pub results: Results,
+}
+
+/// The arguments of `compare`.
+#[derive(Debug)]
+pub struct Compare {
+    /// The experiment.
+    pub subject: Subject,
+    /// Names of methods with commas between them; none for all that apply.
+    pub against: Option<String>,
+    /// Time step of the methods that take one, as written.
+    pub time_step: Option<String>,
+    /// Tolerance of the methods that choose their steps, as written.
+    pub tolerance: Option<String>,
+    /// Width of smooth friction, as written.
+    pub width: Option<String>,
+    /// What pictures show.
+    pub picture: ComparisonPicture,
+    /// Where results go.
+    pub results: Results,
 }
 
 /// The language that `--lang` asks for, or else the environment; found before anything else is
@@ -96,7 +140,8 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
                     Err(Failure::NoCommand(command::command(catalogue).render_help()))
                 }
                 _ => {
-                    let simulates = arguments.iter().any(|word| word == "simulate");
+                    let simulates =
+                        arguments.iter().any(|word| word == "simulate" || word == "compare");
                     Err(Failure::Input(refuse::sentence(&error, simulates, catalogue)))
                 }
             };
@@ -108,6 +153,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
             None => Request::Man,
         },
         Some(("man", _)) => Request::Man,
+        Some(("compare", matches)) => Request::Compare(compare(matches)),
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),
     })
@@ -141,19 +187,49 @@ fn printed(error: &clap::Error) -> String {
     }
 }
 
-fn simulate(matches: &ArgMatches) -> Simulate {
-    let text = |id: &str| matches.get_one::<String>(id).cloned();
-    let named = |id: &str| text(id).unwrap_or_default();
-    let overrides =
-        Field::ALL.iter().filter_map(|field| Some((*field, text(&field.flag())?))).collect();
-    Simulate {
+fn text(matches: &ArgMatches, id: &str) -> Option<String> {
+    matches.get_one::<String>(id).cloned()
+}
+
+fn subject(matches: &ArgMatches) -> Subject {
+    let given = |field: &Field| Some((*field, text(matches, &field.flag())?));
+    Subject {
         experiment: matches.get_one::<PathBuf>("experiment").cloned(),
-        overrides,
-        method: Method::named(&named("method")).unwrap_or(Method::Exact),
-        time_step: text("dt"),
+        overrides: Field::ALL.iter().filter_map(given).collect(),
+    }
+}
+
+fn results(matches: &ArgMatches) -> Results {
+    let named = |id: &str| text(matches, id).unwrap_or_default();
+    Results {
         outputs: matches.get_many("output").into_iter().flatten().cloned().collect(),
         format: Format::named(&named("format")),
         dialect: Dialect::named(&named("csv-dialect")).unwrap_or_default(),
         details: matches.get_flag("details"),
+        background: if named("theme") == DARK { Background::Dark } else { Background::Light },
+    }
+}
+
+fn simulate(matches: &ArgMatches) -> Simulate {
+    let named = |id: &str| text(matches, id).unwrap_or_default();
+    Simulate {
+        subject: subject(matches),
+        method: Method::named(&named("method")).unwrap_or(Method::Exact),
+        time_step: text(matches, "dt"),
+        picture: MotionPicture::named(&named("plot")).unwrap_or_default(),
+        results: results(matches),
+    }
+}
+
+fn compare(matches: &ArgMatches) -> Compare {
+    let picture = text(matches, "plot").and_then(|name| ComparisonPicture::named(&name));
+    Compare {
+        subject: subject(matches),
+        against: text(matches, "against"),
+        time_step: text(matches, "dt"),
+        tolerance: text(matches, "tolerance"),
+        width: text(matches, "width"),
+        picture: picture.unwrap_or_default(),
+        results: results(matches),
     }
 }

@@ -1,8 +1,11 @@
 //! The command line of federpendel, as a library so that its parsers can be tested and fuzzed.
 
 pub mod args;
+mod compare;
+mod comparison;
 pub mod experiment;
 mod failure;
+mod load;
 mod output;
 mod progress;
 pub mod quantity;
@@ -32,6 +35,7 @@ pub fn run(arguments: &[OsString]) -> ExitCode {
 fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
     match request {
         Request::Simulate(arguments) => simulate::run(arguments, catalogue),
+        Request::Compare(arguments) => compare::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),
         Request::Print(text) => output::to_stdout(|out| out.write_all(text.as_bytes()), catalogue),

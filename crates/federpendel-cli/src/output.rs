@@ -1,18 +1,25 @@
 //! Where results go, and in which form: one file of this folder for each.
 
+mod comparison;
 mod csv;
 mod json;
+mod motion;
 mod plot;
 mod summary;
 mod targets;
 mod whole;
 
+pub(crate) use comparison::ComparisonReport;
+pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
+pub(crate) use motion::MotionReport;
+pub use motion::Picture as MotionPicture;
 pub(crate) use targets::Targets;
 
 use std::io::{self, BufWriter, Write};
 
 use federpendel_text::Catalogue;
+use federpendel_text::plot::draw::Background;
 
 use crate::failure::{Failure, note};
 use crate::progress::Progress;
@@ -63,27 +70,38 @@ impl Format {
 
 /// What a form of output may depend on besides the record.
 #[derive(Debug, Clone, Copy)]
-struct Style<'a> {
+pub(crate) struct Style<'a> {
     catalogue: &'a Catalogue,
     dialect: Dialect,
     details: bool,
+    background: Background,
 }
 
-/// Writes `record` to all targets: the files appear together and whole, then standard output.
+/// Something that can be written in every form.
+pub(crate) trait Report {
+    /// The motion that it is about.
+    fn record(&self) -> &Record;
+
+    /// Writes it in one form.
+    fn render(&self, format: Format, style: Style<'_>, out: &mut dyn Write) -> io::Result<()>;
+}
+
+/// Writes `report` to all targets: the files appear together and whole, then standard output.
 pub(crate) fn write(
-    record: &Record,
+    report: &impl Report,
     targets: &Targets,
     catalogue: &Catalogue,
 ) -> Result<(), Failure> {
-    guard_turning_points(record, targets, catalogue)?;
-    let style = Style { catalogue, dialect: targets.dialect, details: targets.details };
+    guard_turning_points(report.record(), targets, catalogue)?;
+    let Targets { dialect, details, background, .. } = *targets;
+    let style = Style { catalogue, dialect, details, background };
     let progress = Progress::writing(catalogue);
-    whole::write(&targets.files, catalogue, |format, out| render(record, format, style, out))?;
+    whole::write(&targets.files, catalogue, |format, out| report.render(format, style, out))?;
     drop(progress);
     for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
         note(&catalogue.format("cli-written", &[("name", path.into())]));
     }
-    to_stdout(|out| render(record, targets.stdout, style, out), catalogue)
+    to_stdout(|out| report.render(targets.stdout, style, out), catalogue)
 }
 
 /// JSON lists every turning point; a file that never ends helps nobody.
@@ -106,21 +124,6 @@ fn guard_turning_points(
             ("limit", catalogue.number(MOST_POINTS, 2).into()),
         ],
     )))
-}
-
-fn render(
-    record: &Record,
-    format: Format,
-    style: Style<'_>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    match format {
-        Format::Summary => summary::write(record, style, out),
-        Format::Csv => csv::write(record, style.dialect, out),
-        Format::Json => json::write(record, out),
-        Format::Svg => plot::write_svg(record, style.catalogue, out),
-        Format::Png => plot::write_png(record, style.catalogue, out),
-    }
 }
 
 /// Lets `write` write to standard output.

@@ -1,75 +1,29 @@
 //! `federpendel simulate`: parse, validate, compute, export.
 
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
-
-use federpendel::Error;
+use federpendel::{Error, parameter};
 use federpendel_text::Catalogue;
-use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 
 use crate::args::Simulate;
-use crate::experiment::{self, BUILT_IN, Experiment, LARGEST_FILE};
+use crate::experiment::Experiment;
 use crate::failure::{Failure, note};
-use crate::output::{self, Targets};
+use crate::load;
+use crate::output::{self, MotionReport, Targets};
 use crate::progress::Progress;
-use crate::record::{BYTES_PER_SAMPLE, Method, Record, TooLong};
-use crate::words::{experiment_error, time_step_value, too_long_step};
-
-/// Memory taken to be free on a system that does not say, bytes.
-const UNKNOWN_MEMORY: u64 = 1 << 30;
+use crate::quantity::Dimension;
+use crate::record::{Method, Record, TooLong};
+use crate::words::{flag_value, too_long_step};
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(arguments, catalogue)?;
+    let targets = Targets::check(&arguments.subject, &arguments.results, catalogue)?;
     let time_step = time_step(arguments, catalogue)?;
-    let experiment = experiment(arguments, catalogue)?;
+    let experiment = load::experiment(&arguments.subject, 0, catalogue)?;
     let record = compute(experiment, arguments.method, time_step, catalogue)?;
     if let Some(problem) = record.too_long_step() {
         let label = console::style(catalogue.text("cli-warning")).for_stderr().yellow().bold();
         note(&format!("{label}: {}", too_long_step(catalogue, problem)));
     }
-    output::write(&record, &targets, catalogue)
-}
-
-/// The experiment of the file, or the built-in one, with the overrides.
-fn experiment(arguments: &Simulate, catalogue: &Catalogue) -> Result<Experiment, Failure> {
-    let (name, bytes) = match &arguments.experiment {
-        Some(path) => (Some(path.display().to_string()), read(path, catalogue)?),
-        None => (None, BUILT_IN.as_bytes().to_vec()),
-    };
-    let overrides = arguments.overrides.iter().map(|(field, quantity)| (*field, quantity.as_str()));
-    experiment::parse(&bytes)
-        .and_then(|mut draft| {
-            draft.override_with(overrides)?;
-            draft.resolve(samples_that_fit())
-        })
-        .map_err(|error| Failure::Input(experiment_error(catalogue, &error, name.as_deref())))
-}
-
-/// The bytes of an experiment file, of `-` those of standard input; no more than decide its fate.
-fn read(path: &Path, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
-    let limit = LARGEST_FILE as u64 + 1;
-    let mut bytes = Vec::new();
-    let done = if path == Path::new("-") {
-        std::io::stdin().take(limit).read_to_end(&mut bytes)
-    } else {
-        File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
-    };
-    done.map_err(|error| Failure::system(catalogue, &path.display().to_string(), &error))?;
-    Ok(bytes)
-}
-
-/// Half of the memory that is free, in samples: the rest is for the system and for plots.
-fn samples_that_fit() -> usize {
-    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
-    let free = match System::new_with_specifics(memory) {
-        Ok(system) => {
-            let container = system.cgroup_limits().map_or(u64::MAX, |limits| limits.free_memory);
-            system.available_memory().min(container)
-        }
-        Err(_) => UNKNOWN_MEMORY,
-    };
-    usize::try_from(free / 2 / BYTES_PER_SAMPLE).unwrap_or(usize::MAX)
+    let report = MotionReport { record: &record, picture: arguments.picture };
+    output::write(&report, &targets, catalogue)
 }
 
 /// The time step, if one is given; only the scheme takes steps.
@@ -80,7 +34,9 @@ fn time_step(arguments: &Simulate, catalogue: &Catalogue) -> Result<Option<f64>,
             [("value", written.as_str().into()), ("method", arguments.method.name().into())];
         return Err(Failure::Input(catalogue.format("cli-dt-without-scheme", &variables)));
     }
-    time_step_value(catalogue, written).map(Some).map_err(Failure::Input)
+    flag_value(catalogue, &parameter::TIME_STEP, Dimension::Time, written)
+        .map(Some)
+        .map_err(Failure::Input)
 }
 
 fn compute(

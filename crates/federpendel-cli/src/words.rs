@@ -7,7 +7,7 @@ mod syntax;
 mod too_long;
 
 pub use experiment::experiment_error;
-pub use quantity::{allowed, quantity_problem, time_step_value};
+pub use quantity::{allowed, flag_value, quantity_problem};
 pub(crate) use remark::remark;
 pub(crate) use too_long::too_long_step;
 

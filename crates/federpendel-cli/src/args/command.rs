@@ -6,10 +6,11 @@ use clap::builder::PossibleValuesParser;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Arg, ArgAction, Command, value_parser};
 use clap_complete::Shell;
-use federpendel::parameter::ParameterInfo;
+use federpendel::parameter::{self, ParameterInfo};
 use federpendel_text::{Catalogue, Language};
 
-use super::{Dialect, Format, Method};
+use super::{ComparisonPicture, DARK, Dialect, Format, LIGHT, Method, MotionPicture};
+use crate::comparison::Candidate;
 use crate::experiment::{EXAMPLE, Field};
 
 const STYLES: Styles = Styles::styled()
@@ -42,6 +43,7 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
                 .help(catalogue.text("cli-version")),
         )
         .subcommand(simulate(catalogue))
+        .subcommand(compare(catalogue))
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))
         .styles(STYLES)
@@ -127,7 +129,29 @@ fn simulate(catalogue: &Catalogue) -> Command {
     let command = Command::new("simulate")
         .about(catalogue.text("cli-simulate"))
         .override_usage(usage("simulate", "[EXPERIMENT.toml]".to_owned(), catalogue))
-        .after_help(after_simulate(catalogue))
+        .after_help(with_file("cli-simulate-examples", catalogue))
+        .args(method(catalogue))
+        .arg(picture(MotionPicture::ALL.map(MotionPicture::name), "cli-plot-motion", catalogue));
+    common(about_an_experiment(command, catalogue), catalogue)
+}
+
+fn compare(catalogue: &Catalogue) -> Command {
+    let command = Command::new("compare")
+        .about(catalogue.text("cli-compare"))
+        .override_usage(usage("compare", "[EXPERIMENT.toml]".to_owned(), catalogue))
+        .after_help(with_file("cli-compare-examples", catalogue))
+        .args(against(catalogue))
+        .arg(picture(
+            ComparisonPicture::ALL.map(ComparisonPicture::name),
+            "cli-plot-comparison",
+            catalogue,
+        ));
+    common(about_an_experiment(command, catalogue), catalogue)
+}
+
+/// The experiment and where results go: what `simulate` and `compare` share.
+fn about_an_experiment(command: Command, catalogue: &Catalogue) -> Command {
+    command
         .arg(
             Arg::new("experiment")
                 .value_name("EXPERIMENT.toml")
@@ -135,18 +159,16 @@ fn simulate(catalogue: &Catalogue) -> Command {
                 .help_heading(catalogue.text("cli-heading-arguments"))
                 .help(catalogue.text("cli-experiment")),
         )
-        .args(method(catalogue))
         .args(output(catalogue))
         .args(Field::ALL.iter().map(|field| {
             quantity(field.flag(), field.info(), catalogue)
                 .help_heading(catalogue.text("cli-heading-overrides"))
-        }));
-    common(command, catalogue)
+        }))
 }
 
 /// Examples of calls, then what a file looks like.
-fn after_simulate(catalogue: &Catalogue) -> String {
-    let calls = catalogue.text("cli-simulate-examples");
+fn with_file(examples: &str, catalogue: &Catalogue) -> String {
+    let calls = catalogue.text(examples);
     let file: Vec<_> = EXAMPLE.lines().filter(|line| !line.is_empty()).collect();
     let file = file.join("\n  ");
     format!("{calls}\n\n{}\n\n  {file}", catalogue.text("cli-experiment-file"))
@@ -159,13 +181,40 @@ fn method(catalogue: &Catalogue) -> [Arg; 2] {
         choice("method", Method::ALL.map(Method::name), catalogue)
             .help_heading(heading.clone())
             .help(catalogue.format("cli-method", &[("methods", methods.into())])),
-        quantity("dt".to_owned(), &federpendel::parameter::TIME_STEP, catalogue)
+        quantity("dt".to_owned(), &parameter::TIME_STEP, catalogue)
             .help_heading(heading)
             .help(catalogue.text("cli-dt")),
     ]
 }
 
-fn output(catalogue: &Catalogue) -> [Arg; 4] {
+/// Which methods, and how finely they integrate.
+fn against(catalogue: &Catalogue) -> [Arg; 4] {
+    let heading = catalogue.text("cli-heading-options");
+    let names: Vec<_> = Candidate::all().into_iter().map(Candidate::name).collect();
+    let fineness = |info: &ParameterInfo, help: &str| {
+        quantity(info.name.to_owned(), info, catalogue).help(catalogue.text(help))
+    };
+    [
+        Arg::new("against")
+            .long("against")
+            .value_name(catalogue.text("cli-value-names"))
+            .help(catalogue.format("cli-against", &[("methods", names.join(", ").into())])),
+        fineness(&parameter::TIME_STEP, "cli-compare-dt"),
+        fineness(&parameter::TOLERANCE, "cli-tolerance"),
+        fineness(&parameter::WIDTH, "cli-width"),
+    ]
+    .map(|arg| arg.help_heading(heading.clone()))
+}
+
+/// What pictures show.
+fn picture<const N: usize>(names: [&'static str; N], help: &str, catalogue: &Catalogue) -> Arg {
+    let list = [("plots", names.join(", ").into())];
+    choice("plot", names, catalogue)
+        .help_heading(catalogue.text("cli-heading-options"))
+        .help(catalogue.format(help, &list))
+}
+
+fn output(catalogue: &Catalogue) -> [Arg; 5] {
     let heading = catalogue.text("cli-heading-options");
     let file = catalogue.text("cli-value-file");
     [
@@ -180,6 +229,7 @@ fn output(catalogue: &Catalogue) -> [Arg; 4] {
             .help(catalogue.text("cli-format")),
         choice("csv-dialect", Dialect::ALL.map(Dialect::name), catalogue)
             .help(catalogue.text("cli-csv-dialect")),
+        choice("theme", [LIGHT, DARK], catalogue).help(catalogue.text("cli-theme")),
         Arg::new("details")
             .long("details")
             .action(ArgAction::SetTrue)

@@ -30,5 +30,8 @@ pub(super) fn value(arguments: &[OsString], command: &Command) -> Option<String>
 
 fn takes_quantity(word: &OsStr) -> bool {
     let name = word.to_str().and_then(|word| word.strip_prefix("--"));
-    name.is_some_and(|name| name == "dt" || Field::ALL.iter().any(|field| field.flag() == name))
+    let fineness = ["dt", "tolerance", "width"];
+    name.is_some_and(|name| {
+        fineness.contains(&name) || Field::ALL.iter().any(|field| field.flag() == name)
+    })
 }

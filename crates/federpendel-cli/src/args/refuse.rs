@@ -6,7 +6,7 @@ use clap_complete::Shell;
 use federpendel_text::Catalogue;
 
 /// The commands, as they are listed.
-const COMMANDS: [&str; 3] = ["simulate", "completions", "man"];
+const COMMANDS: [&str; 4] = ["simulate", "compare", "completions", "man"];
 
 /// Least likeness of two words (Jaro and Winkler) of which one is taken for the other's misspelling.
 const LIKE: f64 = 0.8;

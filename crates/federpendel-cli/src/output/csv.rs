@@ -38,28 +38,43 @@ impl Dialect {
     }
 }
 
+/// Writes the samples of a motion.
 pub(super) fn write(record: &Record, dialect: Dialect, out: &mut dyn Write) -> io::Result<()> {
-    write_table(record, dialect, out).map_err(|error| match error.into_kind() {
+    let rows = record.samples().iter().map(|sample| {
+        let mode = f64::from(sample.mode as i8);
+        [sample.time, sample.position, sample.velocity, sample.acceleration, mode]
+    });
+    table(&HEADER.map(str::to_owned), rows, dialect, out)
+}
+
+/// Writes a table of numbers under its header.
+pub(super) fn table<R: AsRef<[f64]>>(
+    header: &[String],
+    rows: impl Iterator<Item = R>,
+    dialect: Dialect,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_table(header, rows, dialect, out).map_err(|error| match error.into_kind() {
         // As it is, so that a broken pipe is known as one.
         ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
     })
 }
 
-fn write_table(record: &Record, dialect: Dialect, out: &mut dyn Write) -> csv::Result<()> {
+fn write_table<R: AsRef<[f64]>>(
+    header: &[String],
+    rows: impl Iterator<Item = R>,
+    dialect: Dialect,
+    out: &mut dyn Write,
+) -> csv::Result<()> {
     let delimiter = if dialect == Dialect::German { b';' } else { b',' };
     let mut table = WriterBuilder::new()
         .delimiter(delimiter)
         .terminator(Terminator::Any(b'\n'))
         .from_writer(out);
-    table.write_record(HEADER)?;
-    for sample in record.samples() {
-        let numbers = [sample.time, sample.position, sample.velocity, sample.acceleration];
-        for number in numbers {
-            table.write_field(cell(number, dialect))?;
-        }
-        table.write_field((sample.mode as i8).to_string())?;
-        table.write_record(None::<&[u8]>)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.write_record(row.as_ref().iter().map(|number| cell(*number, dialect)))?;
     }
     Ok(table.flush()?)
 }

@@ -1,5 +1,6 @@
-//! Everything as JSON, with the fields of `schemas/simulation.schema.json`.
+//! Everything as JSON, with the fields of `schemas/simulation.schema.json` or `schemas/comparison.schema.json`.
 
+mod comparison;
 mod document;
 mod tidy;
 
@@ -8,12 +9,21 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::Serializer;
 
+use crate::comparison::Comparison;
 use crate::record::Record;
+use comparison::ComparisonDocument;
 use document::Document;
 use tidy::Tidy;
 
 pub(super) fn write(record: &Record, out: &mut dyn Write) -> io::Result<()> {
-    let document = Document::new(record).map_err(io::Error::other)?;
+    write_document(&Document::new(record, "federpendel-simulation").map_err(io::Error::other)?, out)
+}
+
+pub(super) fn write_comparison(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+    write_document(&ComparisonDocument::new(comparison).map_err(io::Error::other)?, out)
+}
+
+fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {
     document.serialize(&mut Serializer::with_formatter(&mut *out, Tidy::default()))?;
     out.write_all(b"\n")
 }

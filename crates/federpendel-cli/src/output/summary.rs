@@ -9,13 +9,15 @@ use std::io::{self, Write};
 
 use federpendel::parameter::{self, ParameterInfo};
 use federpendel::{Mix, Oscillator, Outcome, Regime, Rest, State};
+use federpendel_text::plot::Plot;
 
-use super::{Style, plot};
+use super::Style;
+use super::plot::write_terminal;
 use crate::record::{Record, Source};
 use crate::words::remark;
 pub(super) use noise::Noise;
 use table::Table;
-use wrap::wrap;
+pub(super) use wrap::wrap;
 
 /// Digits of a quantity in a table.
 const DIGITS: usize = 4;
@@ -26,10 +28,15 @@ const ROWS_BELOW: usize = 12;
 /// Columns and rows of the plot where no terminal says how large it is.
 const PAPER: (usize, usize) = (80, 20);
 
-pub(super) fn write(record: &Record, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    record: &Record,
+    plot: &Plot,
+    style: Style<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let catalogue = style.catalogue;
-    let (columns, rows) = room();
-    plot::write_terminal(record, catalogue, (columns, rows), out)?;
+    let (columns, rows) = room(ROWS_BELOW);
+    write_terminal(plot, (columns, rows), out)?;
     let outcome = catalogue.outcome(&Noise::of(record)?.outcome(record.outcome));
     let sentence = catalogue.format("summary-sentence", &[("outcome", outcome.into())]);
     let tied = match &record.outcome {
@@ -77,11 +84,11 @@ fn tie(rest: &Rest) -> &'static str {
 }
 
 /// Columns and rows for the plot, such that the first screen holds what follows it too.
-fn room() -> (usize, usize) {
+pub(super) fn room(rows_below: usize) -> (usize, usize) {
     let Some((rows, columns)) = console::Term::stdout().size_checked() else {
         return PAPER;
     };
-    let rows = usize::from(rows).saturating_sub(ROWS_BELOW).clamp(12, 30);
+    let rows = usize::from(rows).saturating_sub(rows_below).clamp(12, 30);
     (usize::from(columns).clamp(40, 120), rows)
 }
 

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf, absolute};
 
 use federpendel_text::Catalogue;
+use federpendel_text::plot::draw::Background;
 
 use super::{Dialect, Format};
-use crate::args::Simulate;
+use crate::args::{Results, Subject};
 use crate::failure::Failure;
 
 /// The name of standard output among files.
@@ -22,18 +23,24 @@ pub(crate) struct Targets {
     pub(super) dialect: Dialect,
     /// Whether the summary tells everything.
     pub(super) details: bool,
+    /// What pictures are drawn on.
+    pub(super) background: Background,
 }
 
 impl Targets {
-    /// Takes the targets from the arguments.
+    /// Takes the targets from the results.
     ///
     /// # Errors
     /// An extension that no form has, a folder, the same file twice.
-    pub(crate) fn check(arguments: &Simulate, catalogue: &Catalogue) -> Result<Self, Failure> {
+    pub(crate) fn check(
+        subject: &Subject,
+        results: &Results,
+        catalogue: &Catalogue,
+    ) -> Result<Self, Failure> {
         let mut files: Vec<(PathBuf, Format)> = Vec::new();
-        let mut taken: Vec<PathBuf> = arguments.experiment.iter().map(|path| real(path)).collect();
+        let mut taken: Vec<PathBuf> = subject.experiment.iter().map(|path| real(path)).collect();
         let mut asks_stdout = false;
-        for path in &arguments.outputs {
+        for path in &results.outputs {
             let name = path.display().to_string();
             let refuse =
                 |id| Failure::Input(catalogue.format(id, &[("name", name.clone().into())]));
@@ -61,9 +68,10 @@ impl Targets {
         let unsaid = if asks_stdout { Format::Csv } else { Format::Summary };
         Ok(Self {
             files,
-            stdout: arguments.format.unwrap_or(unsaid),
-            dialect: arguments.dialect,
-            details: arguments.details,
+            stdout: results.format.unwrap_or(unsaid),
+            dialect: results.dialect,
+            details: results.details,
+            background: results.background,
         })
     }
 }

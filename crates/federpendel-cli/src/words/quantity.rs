@@ -1,6 +1,6 @@
 //! Sentences about quantities.
 
-use federpendel::parameter::{self, Range};
+use federpendel::parameter::{ParameterInfo, Range};
 use federpendel_text::Catalogue;
 
 use super::excerpt;
@@ -58,21 +58,26 @@ fn ambiguous(catalogue: &Catalogue, decimal: &str, grouped: &str) -> String {
     )
 }
 
-/// The time step that `--dt` gives as `written`, s.
+/// The value of the flag of a parameter as `written`, SI.
 ///
 /// # Errors
 /// The sentence that refuses it.
-pub fn time_step_value(catalogue: &Catalogue, written: &str) -> Result<f64, String> {
-    let info = &parameter::TIME_STEP;
-    let value = crate::quantity::parse(written, Dimension::Time);
+pub fn flag_value(
+    catalogue: &Catalogue,
+    info: &ParameterInfo,
+    dimension: Dimension,
+    written: &str,
+) -> Result<f64, String> {
+    let value = crate::quantity::parse(written, dimension);
     let problem = match &value {
         Ok(value) if info.range.contains(*value) => return Ok(*value),
         Ok(_) => None,
         Err(error) => Some(quantity_problem(catalogue, error)),
     };
-    let allowed = allowed(catalogue, Dimension::Time, info.range);
+    let allowed = allowed(catalogue, dimension, info.range);
+    let name = format!("--{}", info.name.replace('_', "-"));
     let mut variables = vec![
-        ("name", "--dt".into()),
+        ("name", name.into()),
         ("value", catalogue.quoted(&excerpt(written)).into()),
         ("allowed", allowed.into()),
     ];

@@ -159,12 +159,12 @@ pub(super) struct Document<'a> {
 }
 
 impl<'a> Document<'a> {
-    pub(super) fn new(record: &'a Record) -> federpendel::Result<Self> {
+    pub(super) fn new(record: &'a Record, schema: &'static str) -> federpendel::Result<Self> {
         let exact = record.other.is_none();
         let ends = if exact { Ends::new(&record.outcome) } else { Ends::default() };
         let bound = record.motion.error_bound(record.duration)?;
         Ok(Self {
-            schema: Schema { name: "federpendel-simulation", version: 1 },
+            schema: Schema { name: schema, version: 1 },
             oscillator: oscillator(record),
             derived: derived(record.motion.oscillator()),
             method: MethodFields::new(record),

@@ -6,7 +6,7 @@ use console::measure_text_width;
 const UNIT: usize = 6;
 
 /// `text` in lines of at most `columns`, where its words allow; a number and its unit stay together.
-pub(super) fn wrap(text: &str, columns: usize) -> Vec<String> {
+pub(crate) fn wrap(text: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let mut width = 0;
     for word in words(text) {

@@ -1,0 +1,65 @@
+//! What can be held beside the exact motion: the article's formulas and every numeric method.
+
+use federpendel::Oscillator;
+use federpendel::article::{Formula, Reading};
+use federpendel::scheme::{SCHEMES, Scheme};
+
+/// A method to be held beside the exact motion.
+#[derive(Debug, Clone, Copy)]
+pub enum Candidate {
+    /// A formula of the article.
+    Formula(Reading),
+    /// A numeric method.
+    Scheme(&'static Scheme),
+}
+
+impl Candidate {
+    /// All of them.
+    pub fn all() -> Vec<Self> {
+        const LIST: &[Scheme] = &SCHEMES;
+        let formulas = [Reading::Printed, Reading::Corrected].map(Candidate::Formula);
+        formulas.into_iter().chain(LIST.iter().map(Candidate::Scheme)).collect()
+    }
+
+    /// Its name on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Candidate::Formula(Reading::Printed) => "article-printed",
+            Candidate::Formula(Reading::Corrected) => "article-corrected",
+            Candidate::Scheme(scheme) => scheme.name,
+        }
+    }
+
+    /// The method of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().into_iter().find(|candidate| candidate.name() == name)
+    }
+
+    /// Its place in the list of all, by which pictures tell it apart.
+    pub(crate) fn number(self) -> usize {
+        let names = Self::all().into_iter().map(Candidate::name);
+        names.take_while(|name| *name != self.name()).count()
+    }
+
+    /// Whether it applies to this oscillator: the article solves three mixes only.
+    ///
+    /// # Errors
+    /// Why not.
+    pub(crate) fn applies(self, oscillator: &Oscillator) -> federpendel::Result<()> {
+        match self {
+            Candidate::Formula(_) => {
+                let at_rest = federpendel::State { position: 0.0, velocity: 0.0 };
+                Formula::printed(oscillator, at_rest).map(|_| ())
+            }
+            Candidate::Scheme(_) => Ok(()),
+        }
+    }
+
+    /// The declared order of a numeric method.
+    pub(crate) fn order(self) -> Option<u32> {
+        match self {
+            Candidate::Formula(_) => None,
+            Candidate::Scheme(scheme) => Some(scheme.order),
+        }
+    }
+}

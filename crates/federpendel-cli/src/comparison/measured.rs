@@ -1,0 +1,118 @@
+//! What is found of one method.
+
+use std::time::{Duration, Instant};
+
+use federpendel::article::{Formula, Reading};
+use federpendel::lens::{self, Course, Ending, Errors, Gauge, MOST_STEPS, Rung};
+use federpendel::scheme::{Scheme, Setting};
+use federpendel::{Error, Outcome, Result, State};
+
+use super::Candidate;
+use crate::record::Record;
+
+/// What was found of one method.
+pub(crate) struct Measured {
+    /// How far it is from the exact motion: a numeric method on its own steps, a formula at the samples.
+    pub errors: Errors,
+    /// Its errors at six halvings of the step; none for a formula.
+    pub rungs: Vec<Rung>,
+    /// Observed order, the slope of those.
+    pub order: Option<f64>,
+    /// Whether it lets the mass rest, if the mass does; `None` if it never does.
+    pub sticks: Option<bool>,
+    /// How fast its place changes after the rest, m/s; of a formula unknown.
+    pub creep: Option<f64>,
+    /// How long it took to compute the motion.
+    pub run_time: Duration,
+    /// Its states at the times of the record.
+    pub states: Vec<State>,
+}
+
+impl Measured {
+    /// Runs `candidate` on the motion of `record`.
+    ///
+    /// # Errors
+    /// Why the method fails.
+    pub(super) fn of(candidate: Candidate, record: &Record, setting: &Setting) -> Result<Self> {
+        match candidate {
+            Candidate::Formula(reading) => Self::formula(reading, record),
+            Candidate::Scheme(scheme) => Self::scheme(scheme, record, setting),
+        }
+    }
+
+    fn formula(reading: Reading, record: &Record) -> Result<Self> {
+        let (oscillator, release) = (record.motion.oscillator(), record.motion.release());
+        let began = Instant::now();
+        let formula = match reading {
+            Reading::Printed => Formula::printed(oscillator, release)?,
+            Reading::Corrected => Formula::corrected(oscillator, release)?,
+        };
+        let at = |time: f64| formula.at(time).map(|sample| sample.state());
+        let states =
+            record.exact.iter().map(|sample| at(sample.time)).collect::<Result<Vec<_>>>()?;
+        let run_time = began.elapsed();
+        let mut gauge = Gauge::new(&record.motion);
+        for (sample, state) in record.exact.iter().zip(&states) {
+            gauge.add(sample.time, *state)?;
+        }
+        // The formulas know no rest: they swing on.
+        let sticks = matches!(record.outcome, Outcome::Rests(_)).then_some(false);
+        Ok(Measured {
+            errors: gauge.finish(0)?,
+            rungs: Vec::new(),
+            order: None,
+            sticks,
+            creep: None,
+            run_time,
+            states,
+        })
+    }
+
+    fn scheme(scheme: &Scheme, record: &Record, setting: &Setting) -> Result<Self> {
+        let motion = &record.motion;
+        if !scheme.adaptive {
+            check_steps(record.duration, setting.time_step())?;
+        }
+        let began = Instant::now();
+        Course::new(scheme, setting)?.at(record.duration)?;
+        let run_time = began.elapsed();
+        let errors = lens::errors(motion, &mut Course::new(scheme, setting)?, record.duration)?;
+        let mut course = Course::new(scheme, setting)?;
+        let states =
+            record.exact.iter().map(|sample| course.at(sample.time)).collect::<Result<_>>()?;
+        let ending = ending(scheme, record, setting);
+        // A method may hold with this step and fail with a coarser or finer one: then it has no order.
+        let rungs = lens::ladder(motion, scheme, setting, record.duration).unwrap_or_default();
+        Ok(Measured {
+            errors,
+            order: lens::order(&rungs),
+            rungs,
+            sticks: ending.map(|ending| ending.sticks),
+            creep: ending.map(|ending| ending.creep),
+            run_time,
+            states,
+        })
+    }
+}
+
+/// A rest that comes after more lengths of the record than this is not waited for.
+const PATIENCE: f64 = 10.0;
+
+/// What the method does after the rest, as far as that is known.
+fn ending(scheme: &Scheme, record: &Record, setting: &Setting) -> Option<Ending> {
+    let Outcome::Rests(rest) = record.outcome else { return None };
+    if rest.time > PATIENCE * record.duration {
+        return None;
+    }
+    lens::ending(&record.motion, scheme, setting).ok().flatten()
+}
+
+/// Refuses more steps than are taken before the first is.
+fn check_steps(time: f64, time_step: f64) -> Result<()> {
+    let steps = time / time_step;
+    if steps <= MOST_STEPS as f64 {
+        Ok(())
+    } else {
+        Err(Error::TooManySteps { time, time_step, steps, limit: MOST_STEPS })
+    }
+}

@@ -1,0 +1,62 @@
+//! The experiment that a command is about: the file's, or the built-in one, with the overrides.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use federpendel_text::Catalogue;
+use sysinfo::{MemoryRefreshKind, RefreshKind, System};
+
+use crate::args::Subject;
+use crate::experiment::{self, BUILT_IN, Experiment, LARGEST_FILE};
+use crate::failure::Failure;
+use crate::record::BYTES_PER_SAMPLE;
+use crate::words::experiment_error;
+
+/// Memory taken to be free on a system that does not say, bytes.
+const UNKNOWN_MEMORY: u64 = 1 << 30;
+
+/// Reads the experiment; with `copies` of every sample beside the exact ones as many of them must fit.
+pub(crate) fn experiment(
+    subject: &Subject,
+    copies: usize,
+    catalogue: &Catalogue,
+) -> Result<Experiment, Failure> {
+    let (name, bytes) = match &subject.experiment {
+        Some(path) => (Some(path.display().to_string()), read(path, catalogue)?),
+        None => (None, BUILT_IN.as_bytes().to_vec()),
+    };
+    let overrides = subject.overrides.iter().map(|(field, quantity)| (*field, quantity.as_str()));
+    experiment::parse(&bytes)
+        .and_then(|mut draft| {
+            draft.override_with(overrides)?;
+            draft.resolve(samples_that_fit() / (1 + copies))
+        })
+        .map_err(|error| Failure::Input(experiment_error(catalogue, &error, name.as_deref())))
+}
+
+/// The bytes of an experiment file, of `-` those of standard input; no more than decide its fate.
+fn read(path: &Path, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
+    let limit = LARGEST_FILE as u64 + 1;
+    let mut bytes = Vec::new();
+    let done = if path == Path::new("-") {
+        std::io::stdin().take(limit).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
+    };
+    done.map_err(|error| Failure::system(catalogue, &path.display().to_string(), &error))?;
+    Ok(bytes)
+}
+
+/// Half of the memory that is free, in samples: the rest is for the system and for plots.
+fn samples_that_fit() -> usize {
+    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
+    let free = match System::new_with_specifics(memory) {
+        Ok(system) => {
+            let container = system.cgroup_limits().map_or(u64::MAX, |limits| limits.free_memory);
+            system.available_memory().min(container)
+        }
+        Err(_) => UNKNOWN_MEMORY,
+    };
+    usize::try_from(free / 2 / BYTES_PER_SAMPLE).unwrap_or(usize::MAX)
+}

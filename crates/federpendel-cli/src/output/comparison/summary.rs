@@ -1,0 +1,222 @@
+//! A first screen of a comparison: one plot, one sentence, a table of the methods.
+
+use std::io::{self, Write};
+
+use console::{Alignment, measure_text_width, pad_str, style};
+use federpendel::Outcome;
+use federpendel_text::plot::Plot;
+
+use super::super::Style;
+use super::super::plot::write_terminal;
+use super::super::summary::{room, wrap};
+use crate::comparison::{Candidate, Compared, Comparison, Measured};
+
+/// Digits of a number in the table.
+const DIGITS: usize = 3;
+
+/// Rows besides the plot and one for each method.
+const ROWS_BESIDES: usize = 8;
+
+/// Fewest rows of the plot.
+const FEWEST_ROWS: usize = 14;
+
+pub(super) fn write(
+    comparison: &Comparison,
+    plot: &Plot,
+    style: Style<'_>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let (columns, rows) = room(ROWS_BESIDES + comparison.methods.len());
+    let size = (columns, rows.max(FEWEST_ROWS));
+    write_terminal(plot, size, out)?;
+    let sentences = [ending(comparison, style), range(comparison, style)];
+    for line in sentences.iter().flatten().flat_map(|sentence| wrap(sentence, columns)) {
+        writeln!(out, "{line}")?;
+    }
+    writeln!(out)?;
+    let head = Row::head(style);
+    let rows: Vec<_> =
+        comparison.methods.iter().map(|compared| Row::new(compared, style)).collect();
+    write_rows(&head, &rows, columns, out)?;
+    writeln!(out, "  {}", style_dim(&style.catalogue.text("compare-order-note")))?;
+    failures(comparison, style, columns, out)?;
+    if style.details {
+        details(comparison, style, out)?;
+    }
+    Ok(())
+}
+
+fn style_dim(text: &str) -> console::StyledObject<&str> {
+    style(text).dim()
+}
+
+/// How the exact motion ends.
+fn ending(comparison: &Comparison, style: Style<'_>) -> Option<String> {
+    let outcome = style.catalogue.outcome(&comparison.record.outcome);
+    Some(style.catalogue.format("summary-sentence", &[("outcome", outcome.into())]))
+}
+
+/// Which method is nearest to the exact motion, and which is farthest from it.
+fn range(comparison: &Comparison, style: Style<'_>) -> Option<String> {
+    let catalogue = style.catalogue;
+    let error = |found: &(Candidate, &Measured)| found.1.errors.largest;
+    let by_error =
+        |a: &(Candidate, &Measured), b: &(Candidate, &Measured)| error(a).total_cmp(&error(b));
+    let nearest = comparison.measured().min_by(by_error)?;
+    let farthest = comparison.measured().max_by(by_error)?;
+    let length = |found: &(Candidate, &Measured)| catalogue.quantity(error(found), "m", DIGITS);
+    if nearest.0.name() == farthest.0.name() {
+        return Some(catalogue.format(
+            "compare-one",
+            &[("method", nearest.0.name().into()), ("error", length(&nearest).into())],
+        ));
+    }
+    Some(catalogue.format(
+        "compare-range",
+        &[
+            ("nearest", nearest.0.name().into()),
+            ("least", length(&nearest).into()),
+            ("farthest", farthest.0.name().into()),
+            ("most", length(&farthest).into()),
+        ],
+    ))
+}
+
+/// A row of the table: the method, its largest error, its order, what it does at rest, steps, run time.
+struct Row([String; 6]);
+
+impl Row {
+    fn head(style: Style<'_>) -> Self {
+        let ids = [
+            "compare-head-method",
+            "compare-head-error",
+            "compare-head-order",
+            "compare-head-rest",
+            "compare-head-steps",
+            "compare-head-time",
+        ];
+        Row(ids.map(|id| style.catalogue.text(id)))
+    }
+
+    fn new(compared: &Compared, style: Style<'_>) -> Self {
+        let catalogue = style.catalogue;
+        let name = compared.candidate.name().to_owned();
+        let Ok(measured) = &compared.found else {
+            let none = || "–".to_owned();
+            return Row([name, catalogue.text("compare-failed"), none(), none(), none(), none()]);
+        };
+        let declared = compared.candidate.order().map(|order| order.to_string());
+        let observed = measured.order.map(|order| decimal(order, style));
+        let order = match (declared, observed) {
+            (Some(declared), Some(observed)) => format!("{declared} → {observed}"),
+            (Some(declared), None) => format!("{declared} → ?"),
+            _ => "–".to_owned(),
+        };
+        let steps = match measured.errors.steps {
+            0 => "–".to_owned(),
+            steps => steps.to_string(),
+        };
+        let time = catalogue.quantity(measured.run_time.as_secs_f64(), "s", 2);
+        let error = catalogue.quantity(measured.errors.largest, "m", DIGITS);
+        Row([name, error, order, at_rest(measured, style), steps, time])
+    }
+}
+
+/// What the method does where the mass rests.
+fn at_rest(measured: &Measured, style: Style<'_>) -> String {
+    let catalogue = style.catalogue;
+    match (measured.sticks, measured.creep) {
+        (Some(true), _) => catalogue.text("compare-sticks"),
+        (Some(false), Some(creep)) => {
+            let speed = catalogue.quantity(creep, "m/s", 2);
+            catalogue.format("compare-creeps", &[("speed", speed.into())])
+        }
+        (Some(false), None) => catalogue.text("compare-goes-on"),
+        (None, _) => "–".to_owned(),
+    }
+}
+
+/// With one decimal: an order is not known better.
+fn decimal(order: f64, style: Style<'_>) -> String {
+    let sign = style.catalogue.language().decimal_sign().to_string();
+    format!("{order:.1}").replace('.', &sign)
+}
+
+/// The rows as columns; the last ones are left out where the terminal is too narrow for them.
+fn write_rows(head: &Row, rows: &[Row], columns: usize, out: &mut dyn Write) -> io::Result<()> {
+    let width = |column: usize| {
+        let cells = rows.iter().chain([head]).map(|row| measure_text_width(&row.0[column]));
+        cells.max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..head.0.len()).map(width).collect();
+    let mut shown = 0;
+    let mut used = 0;
+    while shown < widths.len() && used + 2 + widths[shown] <= columns.max(40) {
+        used += 2 + widths[shown];
+        shown += 1;
+    }
+    let line = |row: &Row| {
+        let cells = row.0.iter().zip(&widths).take(shown).enumerate();
+        let cells = cells.map(|(column, (cell, width))| {
+            let side = if matches!(column, 1 | 4 | 5) { Alignment::Right } else { Alignment::Left };
+            format!("  {}", pad_str(cell, *width, side, None))
+        });
+        cells.collect::<String>().trim_end().to_owned()
+    };
+    writeln!(out, "{}", style(line(head)).dim())?;
+    rows.iter().try_for_each(|row| writeln!(out, "{}", line(row)))
+}
+
+/// Why methods failed, one sentence each.
+fn failures(
+    comparison: &Comparison,
+    style: Style<'_>,
+    columns: usize,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    for compared in &comparison.methods {
+        let Err(error) = &compared.found else { continue };
+        let sentence = style.catalogue.format(
+            "compare-failure",
+            &[
+                ("method", compared.candidate.name().into()),
+                ("reason", style.catalogue.error(error).into()),
+            ],
+        );
+        for line in wrap(&sentence, columns) {
+            writeln!(out, "{line}")?;
+        }
+    }
+    Ok(())
+}
+
+/// What the table has no room for.
+fn details(comparison: &Comparison, style_: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let catalogue = style_.catalogue;
+    for (candidate, measured) in comparison.measured() {
+        writeln!(out, "\n{}", style(candidate.name()).bold())?;
+        let errors = &measured.errors;
+        let length = |value: f64| catalogue.quantity(value, "m", 6);
+        let rows = [
+            ("compare-detail-largest", length(errors.largest)),
+            ("compare-detail-when", catalogue.quantity(errors.time_of_largest, "s", 6)),
+            ("compare-detail-mean", length(errors.root_mean_square)),
+            ("compare-detail-energy", catalogue.number(errors.energy, 3)),
+            ("compare-detail-final", length(errors.final_position)),
+        ];
+        for (id, value) in rows {
+            writeln!(out, "  {}  {value}", style(catalogue.text(id)).dim())?;
+        }
+        if !measured.rungs.is_empty() {
+            writeln!(out, "  {}", style(catalogue.text("compare-detail-rungs")).dim())?;
+        }
+        for rung in &measured.rungs {
+            let step = catalogue.quantity(rung.time_step, "s", 4);
+            writeln!(out, "    Δt {step:>12}  {:>12}  {:>10}", length(rung.error), rung.steps)?;
+        }
+    }
+    if matches!(comparison.record.outcome, Outcome::Rests(_)) {
+        writeln!(out, "\n  {}", catalogue.text("compare-detail-creep"))?;
+    }
+    Ok(())
+}
