@@ -56,8 +56,13 @@ impl<'m> Cursor<'m> {
 
     /// Puts the cursor on the swing that starts at `start` on its present course.
     fn enter(&mut self, start: Start) {
+        self.enter_at(start, start.time(&self.reduced));
+    }
+
+    /// The same where the time `from` of that start is known, s.
+    fn enter_at(&mut self, start: Start, from: f64) {
         self.start = start;
-        self.from = start.time(&self.reduced);
+        self.from = from;
         // A swing that cannot be followed holds no time at all.
         let mut without_next = f64::INFINITY;
         self.next = if start.rests() {
@@ -87,7 +92,7 @@ impl<'m> Cursor<'m> {
     pub fn advance(&mut self) -> bool {
         match self.next.take() {
             None => return false,
-            Some(next) => self.take_up(next),
+            Some(next) => self.take_up(next, self.until),
         }
         true
     }
@@ -104,13 +109,14 @@ impl<'m> Cursor<'m> {
         Ok(())
     }
 
-    fn take_up(&mut self, next: Next) {
+    /// Goes on with `next`, which begins at `from`, s.
+    fn take_up(&mut self, next: Next, from: f64) {
         match next {
-            Next::Start(start) => self.enter(start),
+            Next::Start(start) => self.enter_at(start, from),
             Next::Tail(chain) => {
                 let first = chain.first();
                 self.course = Course::Linear(chain);
-                self.enter(first);
+                self.enter_at(first, from);
             }
         }
     }
@@ -124,7 +130,12 @@ impl<'m> Cursor<'m> {
             && let Chain::Series(series) = chain
         {
             self.course = Course::Series(series);
-            self.take_up(series.known_before(time));
+            let known = series.known_before(time);
+            let from = match &known {
+                Next::Start(start) => start.time(&self.reduced),
+                Next::Tail(chain) => chain.first().time(&self.reduced),
+            };
+            self.take_up(known, from);
         }
         if let (true, Chain::Stop(stop)) = (time < self.from, chain) {
             self.enter(stop.first());

@@ -120,10 +120,12 @@ impl Run<'_> {
             let mut run = Run { cursor, reduced, times, first: at, positions: xs, velocities: vs };
             let clock = run.clock(start + piece.center);
             // As many terms as this piece needs, in a few lengths that the compiler can unroll.
-            match piece.degree(end) {
-                0..12 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<12>(piece))),
-                12..16 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<16>(piece))),
-                16..20 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<20>(piece))),
+            match piece.terms(end) {
+                12 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<12>(piece))),
+                16 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<16>(piece))),
+                18 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<18>(piece))),
+                20 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<20>(piece))),
+                22 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<22>(piece))),
                 _ => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<{ DEGREE + 1 }>(piece))),
             }
             at += count;
@@ -283,7 +285,7 @@ impl<const TERMS: usize> Stretch for Damped<TERMS> {
         }
         // Through memory in between: in one piece with the sine, the compiler's search for vectors takes
         // this apart into single numbers, which doubles the time of a record.
-        let decay = black_box(exp::<FUSED, TERMS>(&black_box(each(|i| -zeta * tau[i]))));
+        let decay = exp::<FUSED, TERMS>(&black_box(each(|i| -zeta * tau[i])));
         (each(|i| y[i] * decay[i]), each(|i| w[i] * decay[i]))
     }
 }

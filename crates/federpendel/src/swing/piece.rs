@@ -5,6 +5,9 @@ use crate::sampling::lanes::mul_add;
 /// Degree of the polynomials.
 pub(crate) const DEGREE: usize = 24;
 
+/// Numbers of terms that a shorter polynomial may have, so few that code can be made for each.
+pub(crate) const FEWER_TERMS: [usize; 5] = [22, 20, 18, 16, 12];
+
 /// y(τ) = Σ `position`ₖ uᵏ and w(τ) = Σ `velocity`ₖ uᵏ with u = (τ − `center`)·`inverse_scale`,
 /// valid from `start` to the start of the next piece.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,19 +31,26 @@ impl Piece {
         horner::<false>(&self.velocity, (tau - self.center) * self.inverse_scale)
     }
 
-    /// The degree that is enough for this piece if it ends at `end`.
-    pub fn degree(&self, end: f64) -> usize {
+    /// How many terms are enough for this piece if it ends at `end`: all, or one of [`FEWER_TERMS`].
+    pub fn terms(&self, end: f64) -> usize {
         let reach = (self.start - self.center).abs().max((end - self.center).abs());
         let u = reach * self.inverse_scale;
         let size = 1e-17 * self.position[0].abs().max(self.velocity[0].abs());
-        let (mut degree, mut power) = (0, 1.0);
-        for n in 0..=DEGREE {
-            if self.velocity[n].abs().max(self.position[n].abs()) * power > size {
-                degree = n;
+        let (u4, u2) = (u.powi(4), u * u);
+        let (u8, u16) = (u4 * u4, u.powi(16));
+        let powers = [u16 * u4 * u2, u16 * u4, u16 * u2, u16, u8 * u4];
+        // The sum of the terms left out, over the power of u at which they begin; mostly few can be.
+        let (mut rest, mut enough) = (0.0, DEGREE + 1);
+        for (fewer, power) in FEWER_TERMS.into_iter().zip(powers) {
+            for n in (fewer..enough).rev() {
+                rest = rest * u + self.velocity[n].abs().max(self.position[n].abs());
             }
-            power *= u;
+            if rest * power > size {
+                break;
+            }
+            enough = fewer;
         }
-        degree
+        enough
     }
 }
 
