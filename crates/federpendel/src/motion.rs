@@ -133,7 +133,8 @@ impl Motion {
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
         // In units of ω0² m, in which it is computed, and in SI units.
-        let acceleration = amplitude * (1.0 + 2.0 * reduced.zeta.hi() + drag);
+        let damped = amplitude * (1.0 + 2.0 * reduced.zeta.hi() + drag);
+        let acceleration = damped + reduced.offset.hi();
         derived("acceleration/omega0^2", OF, acceleration, moves)?;
         let unit = reduced.omega0.hi() * reduced.omega0.hi();
         derived("acceleration", OF, acceleration * unit, moves)?;

@@ -108,4 +108,8 @@ fn an_acceleration_out_of_range_is_refused() {
     let oscillator = Oscillator::new(2.56e-7, 1.97e-236, Stokes::new(9.5e-6).unwrap()).unwrap();
     let release = State::new(-257.0, -1.2e134).unwrap();
     assert_eq!(refused(Motion::new(oscillator, release)), "acceleration/omega0^2");
+    let dry = Coulomb::new(1.1e217, 1.1e217, NormalForce::Given(2.6e-5)).unwrap();
+    let oscillator = Oscillator::new(1.5e-101, 2.6e-6, dry).unwrap();
+    let release = State::new(9.6e-5, 2.8e-4).unwrap();
+    assert_eq!(refused(Motion::new(oscillator, release)), "acceleration");
 }
