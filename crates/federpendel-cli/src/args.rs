@@ -140,8 +140,12 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
                     Err(Failure::NoCommand(command::command(catalogue).render_help()))
                 }
                 _ => {
-                    let simulates =
-                        arguments.iter().any(|word| word == "simulate" || word == "compare");
+                    let takes_a_file = |word: &&OsString| *word == "simulate" || *word == "compare";
+                    let commands = ["simulate", "compare", "completions", "man"];
+                    let command = arguments
+                        .iter()
+                        .find(|word| commands.iter().any(|command| *word == *command));
+                    let simulates = command.as_ref().is_some_and(takes_a_file);
                     Err(Failure::Input(refuse::sentence(&error, simulates, catalogue)))
                 }
             };

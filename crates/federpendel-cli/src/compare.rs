@@ -12,17 +12,20 @@ use crate::output::{self, ComparisonReport, Targets};
 use crate::progress::Progress;
 use crate::quantity::Dimension;
 use crate::record::{Method, Record};
-use crate::words::flag_value;
+use crate::words::{flag_value, nearest};
 
 pub(crate) fn run(arguments: &Compare, catalogue: &Catalogue) -> Result<(), Failure> {
     let targets = Targets::check(&arguments.subject, &arguments.results, catalogue)?;
     let named = candidates(arguments, catalogue)?;
-    let experiment = load::experiment(&arguments.subject, Candidate::all().len(), catalogue)?;
+    let fineness = Fineness::parse(arguments, catalogue)?;
+    let copies = named.as_ref().map_or(Candidate::all().len(), Vec::len);
+    let experiment = load::experiment(&arguments.subject, copies, catalogue)?;
     let candidates = applicable(named, &experiment.oscillator, catalogue)?;
     let progress = Progress::computing(catalogue, candidates.len() as u64);
-    let record = Record::compute(experiment, Method::Exact, None, &Progress::silent())
-        .map_err(|error| Failure::core(catalogue, &error))?;
-    let setting = setting(arguments, &record, catalogue)?;
+    let refused = |error| Failure::core(catalogue, &error);
+    let record =
+        Record::compute(experiment, Method::Exact, None, &Progress::silent()).map_err(refused)?;
+    let setting = fineness.applied_to(Setting::of(&record.motion)).map_err(refused)?;
     let comparison = Comparison::compute(record, candidates, &setting, &progress);
     drop(progress);
     let report = ComparisonReport { comparison: &comparison, picture: arguments.picture };
@@ -47,10 +50,14 @@ fn candidates(
 
 fn unknown(name: &str, catalogue: &Catalogue) -> Failure {
     let names: Vec<_> = Candidate::all().into_iter().map(Candidate::name).collect();
-    Failure::Input(catalogue.format(
-        "compare-unknown-method",
-        &[("name", name.into()), ("allowed", names.join(", ").into())],
-    ))
+    let near = nearest(name, names.iter().copied());
+    let variables = [
+        ("name", name.into()),
+        ("allowed", names.join(", ").into()),
+        ("nearest", near.as_deref().unwrap_or_default().into()),
+    ];
+    let id = if near.is_some() { "compare-unknown-method-near" } else { "compare-unknown-method" };
+    Failure::Input(catalogue.format(id, &variables))
 }
 
 /// The methods named, each of which must apply; or else all that do.
@@ -74,26 +81,36 @@ fn applicable(
     Ok(named)
 }
 
-/// How finely the methods integrate.
-fn setting(
-    arguments: &Compare,
-    record: &Record,
-    catalogue: &Catalogue,
-) -> Result<Setting, Failure> {
-    let mut setting = Setting::of(&record.motion);
-    let value = |written: &Option<String>, info, dimension| {
-        let value = written.as_ref().map(|written| flag_value(catalogue, info, dimension, written));
-        value.transpose().map_err(Failure::Input)
-    };
-    let refused = |error| Failure::core(catalogue, &error);
-    if let Some(step) = value(&arguments.time_step, &TIME_STEP, Dimension::Time)? {
-        setting = setting.with_time_step(step).map_err(refused)?;
+/// How finely the methods integrate, as far as the user says.
+struct Fineness {
+    time_step: Option<f64>,
+    tolerance: Option<f64>,
+    width: Option<f64>,
+}
+
+impl Fineness {
+    fn parse(arguments: &Compare, catalogue: &Catalogue) -> Result<Self, Failure> {
+        let value = |written: &Option<String>, info, dimension| {
+            let parse = |written| flag_value(catalogue, info, dimension, written);
+            written.as_deref().map(parse).transpose().map_err(Failure::Input)
+        };
+        Ok(Fineness {
+            time_step: value(&arguments.time_step, &TIME_STEP, Dimension::Time)?,
+            tolerance: value(&arguments.tolerance, &TOLERANCE, Dimension::Number)?,
+            width: value(&arguments.width, &WIDTH, Dimension::Velocity)?,
+        })
     }
-    if let Some(tolerance) = value(&arguments.tolerance, &TOLERANCE, Dimension::Number)? {
-        setting = setting.with_tolerance(tolerance).map_err(refused)?;
+
+    fn applied_to(&self, mut setting: Setting) -> federpendel::Result<Setting> {
+        if let Some(time_step) = self.time_step {
+            setting = setting.with_time_step(time_step)?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            setting = setting.with_tolerance(tolerance)?;
+        }
+        if let Some(width) = self.width {
+            setting = setting.with_width(width)?;
+        }
+        Ok(setting)
     }
-    if let Some(width) = value(&arguments.width, &WIDTH, Dimension::Velocity)? {
-        setting = setting.with_width(width).map_err(refused)?;
-    }
-    Ok(setting)
 }

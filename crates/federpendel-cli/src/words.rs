@@ -23,3 +23,16 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
     short
 }
+
+/// Least likeness of two words (Jaro and Winkler) of which one is taken for the other's misspelling.
+const LIKE: f64 = 0.8;
+
+/// The one of `known` of which `word` looks like a misspelling.
+pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    known
+        .into_iter()
+        .map(|known| (strsim::jaro_winkler(known, &word.to_lowercase()), known))
+        .filter(|(likeness, _)| *likeness > LIKE)
+        .max_by(|(a, _), (b, _)| a.total_cmp(b))
+        .map(|(_, known)| known.to_owned())
+}

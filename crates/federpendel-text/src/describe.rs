@@ -43,6 +43,7 @@ impl Catalogue {
             Range::NonNegative => "range-non-negative",
             Range::Finite => "range-finite",
             Range::CountFromTwo => "range-count-from-two",
+            Range::Fraction => "range-fraction",
         })
     }
 

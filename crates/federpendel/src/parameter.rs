@@ -18,6 +18,8 @@ pub enum Range {
     Finite,
     /// A whole number, at least two.
     CountFromTwo,
+    /// Greater than zero and less than one.
+    Fraction,
 }
 
 impl Range {
@@ -28,6 +30,7 @@ impl Range {
                 Range::Positive => value > 0.0,
                 Range::NonNegative => value >= 0.0,
                 Range::Finite => true,
+                Range::Fraction => value > 0.0 && value < 1.0,
                 Range::CountFromTwo => value >= 2.0 && value.fract() == 0.0,
             }
     }
@@ -40,6 +43,7 @@ impl fmt::Display for Range {
             Range::NonNegative => "a finite number, 0 or greater",
             Range::Finite => "a finite number",
             Range::CountFromTwo => "a whole number, 2 or greater",
+            Range::Fraction => "a number greater than 0 and less than 1",
         })
     }
 }
@@ -117,7 +121,7 @@ parameters! {
     /// Time step Δt of a numeric scheme.
     TIME_STEP = "dt", "Δt", "s", Positive, None;
     /// Error that a method which chooses its steps may make in one, over the amplitude.
-    TOLERANCE = "tolerance", "ε", "1", Positive, Some(1e-6);
+    TOLERANCE = "tolerance", "ε", "1", Fraction, Some(1e-6);
     /// Width of smooth friction μF_N tanh(v/width), which stands in for the sign of v.
     WIDTH = "width", "v_w", "m/s", Positive, None;
     /// A time at which the motion is asked for.

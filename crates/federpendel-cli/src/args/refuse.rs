@@ -5,13 +5,12 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap_complete::Shell;
 use federpendel_text::Catalogue;
 
+use crate::words::nearest;
+
 /// The commands, as they are listed.
 const COMMANDS: [&str; 4] = ["simulate", "compare", "completions", "man"];
 
-/// Least likeness of two words (Jaro and Winkler) of which one is taken for the other's misspelling.
-const LIKE: f64 = 0.8;
-
-/// One sentence that names what is wrong and what is allowed; `simulates` if that command was given.
+/// One sentence that names what is wrong and what is allowed; `simulates` if the command takes an experiment file.
 pub(super) fn sentence(error: &clap::Error, simulates: bool, catalogue: &Catalogue) -> String {
     let context = |kind| words(error.get(kind));
     let argument = flag_only(&context(ContextKind::InvalidArg));
@@ -73,16 +72,6 @@ fn unknown_command(catalogue: &Catalogue, word: &str) -> String {
             &[("argument", word.into()), ("nearest", near.into())],
         ),
     }
-}
-
-/// The one of `known` of which `word` looks like a misspelling.
-fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    known
-        .into_iter()
-        .map(|known| (strsim::jaro_winkler(known, &word.to_lowercase()), known))
-        .filter(|(likeness, _)| *likeness > LIKE)
-        .max_by(|(a, _), (b, _)| a.total_cmp(b))
-        .map(|(_, known)| known.to_owned())
 }
 
 fn words(value: Option<&ContextValue>) -> String {

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use federpendel::article::{Formula, Reading};
-use federpendel::lens::{self, Course, Ending, Errors, Gauge, MOST_STEPS, Rung};
+use federpendel::lens::{self, Course, Ending, Errors, Gauge, Ladder, MOST_STEPS};
 use federpendel::scheme::{Scheme, Setting};
 use federpendel::{Error, Outcome, Result, State};
 
@@ -14,13 +14,11 @@ use crate::record::Record;
 pub(crate) struct Measured {
     /// How far it is from the exact motion: a numeric method on its own steps, a formula at the samples.
     pub errors: Errors,
-    /// Its errors at six halvings of the step; none for a formula.
-    pub rungs: Vec<Rung>,
-    /// Observed order, the slope of those.
-    pub order: Option<f64>,
+    /// Its errors at six halvings of the step; empty for a formula.
+    pub ladder: Ladder,
     /// Whether it lets the mass rest, if the mass does; `None` if it never does.
     pub sticks: Option<bool>,
-    /// How fast its place changes after the rest, m/s; of a formula unknown.
+    /// How fast its place changes after the rest, m/s; none where it still swings.
     pub creep: Option<f64>,
     /// How long it took to compute the motion.
     pub run_time: Duration,
@@ -56,11 +54,10 @@ impl Measured {
             gauge.add(sample.time, *state)?;
         }
         // The formulas know no rest: they swing on.
-        let sticks = matches!(record.outcome, Outcome::Rests(_)).then_some(false);
+        let sticks = waited_for(record).then_some(false);
         Ok(Measured {
             errors: gauge.finish(0)?,
-            rungs: Vec::new(),
-            order: None,
+            ladder: Ladder::default(),
             sticks,
             creep: None,
             run_time,
@@ -73,22 +70,19 @@ impl Measured {
         if !scheme.adaptive {
             check_steps(record.duration, setting.time_step())?;
         }
+        // Once for the samples, which is timed, and once more to be held to the exact motion step by step.
         let began = Instant::now();
-        Course::new(scheme, setting)?.at(record.duration)?;
-        let run_time = began.elapsed();
-        let errors = lens::errors(motion, &mut Course::new(scheme, setting)?, record.duration)?;
         let mut course = Course::new(scheme, setting)?;
         let states =
             record.exact.iter().map(|sample| course.at(sample.time)).collect::<Result<_>>()?;
+        let run_time = began.elapsed();
+        let errors = lens::errors(motion, &mut Course::new(scheme, setting)?, record.duration)?;
         let ending = ending(scheme, record, setting);
-        // A method may hold with this step and fail with a coarser or finer one: then it has no order.
-        let rungs = lens::ladder(motion, scheme, setting, record.duration).unwrap_or_default();
         Ok(Measured {
             errors,
-            order: lens::order(&rungs),
-            rungs,
+            ladder: lens::ladder(motion, scheme, setting, record.duration),
             sticks: ending.map(|ending| ending.sticks),
-            creep: ending.map(|ending| ending.creep),
+            creep: ending.and_then(|ending| ending.creep),
             run_time,
             states,
         })
@@ -98,10 +92,14 @@ impl Measured {
 /// A rest that comes after more lengths of the record than this is not waited for.
 const PATIENCE: f64 = 10.0;
 
+/// Whether the exact motion comes to rest soon enough to see what methods do then.
+fn waited_for(record: &Record) -> bool {
+    matches!(record.outcome, Outcome::Rests(rest) if rest.time <= PATIENCE * record.duration)
+}
+
 /// What the method does after the rest, as far as that is known.
 fn ending(scheme: &Scheme, record: &Record, setting: &Setting) -> Option<Ending> {
-    let Outcome::Rests(rest) = record.outcome else { return None };
-    if rest.time > PATIENCE * record.duration {
+    if !waited_for(record) {
         return None;
     }
     lens::ending(&record.motion, scheme, setting).ok().flatten()

@@ -61,7 +61,8 @@ pub fn plots(catalogue: &Catalogue) -> Drawn {
         let rungs: Vec<(&Scheme, Vec<Rung>)> = SCHEMES
             .iter()
             .filter_map(|scheme| {
-                Some((scheme, ladder(&record.motion, scheme, &setting, case.4).ok()?))
+                let rungs = ladder(&record.motion, scheme, &setting, case.4).rungs;
+                (!rungs.is_empty()).then_some((scheme, rungs))
             })
             .collect();
         let methods: Vec<_> = rungs

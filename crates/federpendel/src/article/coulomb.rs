@@ -163,7 +163,7 @@ fn require_coulomb(oscillator: &Oscillator) -> Result<()> {
 }
 
 /// μ F_N of (55), N.
-pub(crate) fn friction_force(oscillator: &Oscillator) -> f64 {
+fn friction_force(oscillator: &Oscillator) -> f64 {
     let law = oscillator.friction().coulomb;
     law.map_or(0.0, |law| law.kinetic() * law.normal_force().force(oscillator.mass()))
 }

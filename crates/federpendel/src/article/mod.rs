@@ -40,7 +40,6 @@ mod stokes;
 mod undamped;
 
 pub use complex::Complex;
-pub(crate) use coulomb::friction_force;
 pub use coulomb::{DecaySides, eq_61, eq_67, eq_68, eq_69, eq_76, eq_77, eq_78, eq_79};
 pub use stokes::{DampedRates, critical, eq_36, eq_41, eq_46, overdamped};
 pub use undamped::{ComplexForm, eq_16, eq_20, eq_70};

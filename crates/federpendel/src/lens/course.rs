@@ -5,7 +5,7 @@ use crate::oscillator::State;
 use crate::scheme::{Integration, Scheme, Setting};
 
 /// Most steps that a method takes here before it is given up.
-pub const MOST_STEPS: u64 = 100_000_000;
+pub const MOST_STEPS: u64 = 10_000_000;
 
 /// Most steps of a method that chooses them itself: where dry friction has stopped the mass they can shrink
 /// without end.
@@ -16,7 +16,13 @@ pub struct Course {
     integration: Box<dyn Integration>,
     steps: u64,
     limit: u64,
+    /// A position beyond this has run away, m.
+    farthest: f64,
+    time_step: f64,
 }
+
+/// Amplitudes that a method may be away from the middle. No motion goes beyond one, and what is so far off is no motion.
+const FARTHEST: f64 = 1e3;
 
 impl Course {
     /// The method at the release.
@@ -25,7 +31,13 @@ impl Course {
     /// As [`Scheme::start`].
     pub fn new(scheme: &Scheme, setting: &Setting) -> Result<Self> {
         let limit = if scheme.adaptive { MOST_CHOSEN_STEPS } else { MOST_STEPS };
-        Ok(Course { integration: scheme.start(setting)?, steps: 0, limit })
+        Ok(Course {
+            integration: scheme.start(setting)?,
+            steps: 0,
+            limit,
+            farthest: FARTHEST * setting.amplitude(),
+            time_step: setting.time_step(),
+        })
     }
 
     /// Steps taken so far.
@@ -41,14 +53,19 @@ impl Course {
     /// Takes a step.
     ///
     /// # Errors
-    /// As [`Integration::step`], and [`Error::StepLimit`] after [`MOST_STEPS`], or a million steps that the
-    /// method chose itself.
+    /// As [`Integration::step`]; [`Error::Diverged`] also where the position has left a thousand amplitudes behind;
+    /// [`Error::StepLimit`] after [`MOST_STEPS`], or a million steps that the method chose itself.
     pub fn step(&mut self) -> Result<()> {
         if self.steps >= self.limit {
             return Err(Error::StepLimit { time: self.integration.time(), limit: self.limit });
         }
         self.steps += 1;
-        self.integration.step()
+        self.integration.step()?;
+        let (time, State { position, .. }) = self.now();
+        if position.abs() > self.farthest {
+            return Err(Error::Diverged { time_step: self.time_step, time });
+        }
+        Ok(())
     }
 
     /// The state at `time` (s), which must not lie before the last step.

@@ -14,8 +14,8 @@ pub struct Errors {
     pub time_of_largest: f64,
     /// Root of the mean over time of the squared error of the position, m.
     pub root_mean_square: f64,
-    /// Largest error of kinetic and potential energy, over the energy of the release.
-    pub energy: f64,
+    /// Largest error of kinetic and potential energy, over the energy of the release; none where that is zero.
+    pub energy: Option<f64>,
     /// Position at the end, m.
     pub final_position: f64,
     /// Steps taken.
@@ -74,7 +74,7 @@ impl<'m> Gauge<'m> {
             largest: self.largest.0,
             time_of_largest: self.largest.1,
             root_mean_square: mean.sqrt(),
-            energy: self.energy,
+            energy: (self.motion.initial_energy() > 0.0).then_some(self.energy),
             final_position: last.map_or(f64::NAN, |state| state.position),
             steps,
         })

@@ -25,4 +25,4 @@ mod ladder;
 pub use course::{Course, MOST_STEPS};
 pub use ending::{Ending, ending};
 pub use gauge::{Errors, Gauge, errors};
-pub use ladder::{LONGEST, Rung, ladder, order};
+pub use ladder::{FailedRung, Ladder, Rung, ladder, order};

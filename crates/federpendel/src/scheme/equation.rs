@@ -1,8 +1,9 @@
 //! The right-hand side that numeric methods are given, in three readings of dry friction.
 
-use crate::article::friction_force;
-use crate::friction::NormalForce;
 use crate::oscillator::{Oscillator, State};
+
+/// Round numbers often put the mass on the very edge of the band; within a few roundings it holds there.
+pub const EDGE: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 /// The coefficients of m x″ = −C x − D x′ − sign(x′)(μ F_N + k x′²), each over the mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,25 +24,22 @@ impl Equation {
     /// The equation of `oscillator`.
     pub fn new(oscillator: &Oscillator) -> Self {
         let (mass, friction) = (oscillator.mass(), oscillator.friction());
-        let holding = friction.coulomb.map_or(0.0, |law| {
-            law.static_coefficient()
-                * match law.normal_force() {
-                    NormalForce::Weight(gravity) => gravity,
-                    NormalForce::Given(force) => force / mass,
-                }
-        });
+        // Both from one number: rounded apart, a place could be outside the band and yet not left.
+        let pressing = friction.coulomb.map_or(0.0, |law| law.normal_force().force(mass) / mass);
+        let (kinetic, holding) =
+            friction.coulomb.map_or((0.0, 0.0), |law| (law.kinetic(), law.static_coefficient()));
         Equation {
             spring: oscillator.stiffness() / mass,
             stokes: friction.stokes.map_or(0.0, |law| law.damping()) / mass,
-            coulomb: friction_force(oscillator) / mass,
-            holding,
+            coulomb: kinetic * pressing,
+            holding: holding * pressing,
             newton: friction.newton.map_or(0.0, |law| law.coefficient()) / mass,
         }
     }
 
     /// Whether the mass holds at `position`, m, once it has no velocity.
     pub fn holds(&self, position: f64) -> bool {
-        self.spring * position.abs() <= self.holding
+        self.spring * position.abs() <= self.holding * EDGE
     }
 
     /// The acceleration with dry friction `dry`, from −1 to 1, and quadratic drag along `drag`, −1 or 1.

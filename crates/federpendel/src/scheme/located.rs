@@ -5,14 +5,18 @@
 //! it is decided whether the mass sticks or turns. Two reversals within one step are both found, unless the
 //! velocity has its old sign again at the end of the step.
 
-use super::equation::{Directed, Equation};
+use super::equation::{Directed, Equation, Field};
 use super::integration::{Clock, Integration, finite};
 use super::stepper::{Path, Stepper};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::oscillator::State;
 
-/// Halvings after which an interval has no room left between its ends.
+/// Halvings in search of a time at which the mass moves forward, and then of the time at which it stops: more than an
+/// interval has room for.
 const HALVINGS: u32 = 200;
+
+/// Reversals within one step; where there are more the step is no step.
+const MOST_PARTS: usize = 10_000;
 
 /// A method that turns and sticks where it ought to.
 pub struct Located<S: Stepper<Directed>> {
@@ -55,8 +59,10 @@ impl<S: Stepper<Directed>> Located<S> {
     fn turn(&mut self) {
         let position = self.state.position;
         self.state.velocity = 0.0;
-        let holds = position == 0.0 || self.equation.holds(position);
-        self.direction = if holds { 0.0 } else { -position.signum() };
+        let towards = -position.signum();
+        let pulled = towards * Directed(self.equation, towards).acceleration(self.state) > 0.0;
+        let holds = position == 0.0 || self.equation.holds(position) || !pulled;
+        self.direction = if holds { 0.0 } else { towards };
     }
 
     /// Goes on to the end of a path or to its reversal, and returns how long that took.
@@ -79,7 +85,7 @@ impl<S: Stepper<Directed>> Located<S> {
     }
 }
 
-/// When the velocity along `path` falls to zero; zero at once if it never has `direction` at all.
+/// When the velocity along `path` falls to zero; next to nothing if it never has `direction` at all.
 fn reversal(path: &impl Path, direction: f64) -> f64 {
     let forward = |after: f64| direction * path.at(after).velocity > 0.0;
     // From a turning point the velocity rises from zero: somewhere in front it is positive.
@@ -114,6 +120,10 @@ impl<S: Stepper<Directed>> Integration for Located<S> {
             let field = Directed(self.equation, self.direction);
             let path = self.stepper.advance(&field, self.clock.time(), self.state, rest)?;
             let duration = self.follow(path)?;
+            if self.parts.len() > MOST_PARTS {
+                let limit = MOST_PARTS as u64;
+                return Err(Error::StepLimit { time: self.clock.time(), limit });
+            }
             // A method that chooses its steps ends this one here.
             if rest.is_infinite() || duration >= rest {
                 return Ok(());

@@ -10,7 +10,7 @@
 //! order with it. Source: M. Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235; V. Acary, B. Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems* (2008), section 10.1.
 
-use super::equation::Equation;
+use super::equation::{EDGE, Equation};
 use super::stepper::{Fixed, OneStep};
 use super::{DryFriction, Integration, Scheme, Setting, along};
 use crate::error::Result;
@@ -33,7 +33,7 @@ impl OneStep<Equation> for MoreauJean {
         let free = velocity
             - h * (spring * (position + 0.5 * h * half) + (stokes + newton * half.abs()) * half);
         // What is at rest is held by static friction.
-        let strength = h * if velocity == 0.0 { holding } else { coulomb };
+        let strength = h * if velocity == 0.0 { holding * EDGE } else { coulomb };
         if free.abs() <= strength {
             return State { position: position + h * half, velocity: 0.0 };
         }

@@ -16,6 +16,10 @@ pub struct Setting {
     pub(super) width: f64,
 }
 
+/// From rest the reversals of a linear motion lie half a period apart. On a thousandth of the period they would
+/// all fall on steps, which flatters methods that step over them: 320π steps to a period instead.
+const OFF_THE_REVERSALS: f64 = 1000.0 / (320.0 * std::f64::consts::PI);
+
 /// Tolerance where none is given.
 const TOLERANCE: f64 = 1e-6;
 
@@ -23,7 +27,7 @@ const TOLERANCE: f64 = 1e-6;
 const WIDTH: f64 = 0.01;
 
 impl Setting {
-    /// The defaults: steps of [`article::Scheme::default_time_step`], a tolerance of 1e-6, smooth friction over
+    /// The defaults: steps of a 1005th of the period, which no reversal falls on, a tolerance of 1e-6, smooth friction over
     /// 1 % of the velocity ω0·max(|x0|, |v0|/ω0).
     ///
     /// # Errors
@@ -33,7 +37,7 @@ impl Setting {
     }
 
     fn defaults(oscillator: Oscillator, release: State) -> Self {
-        let time_step = article::Scheme::default_time_step(&oscillator);
+        let time_step = article::Scheme::default_time_step(&oscillator) * OFF_THE_REVERSALS;
         let mut setting =
             Setting { oscillator, release, time_step, tolerance: TOLERANCE, width: 1.0 };
         setting.width = WIDTH * setting.amplitude() * oscillator.angular_frequency();
@@ -57,7 +61,7 @@ impl Setting {
     /// over ω0 times that for velocities.
     ///
     /// # Errors
-    /// [`Error::Parameter`](crate::Error::Parameter) unless it is above zero and finite.
+    /// [`Error::Parameter`](crate::Error::Parameter) unless it lies between 0 and 1.
     pub fn with_tolerance(self, tolerance: f64) -> Result<Self> {
         Ok(Setting { tolerance: parameter::TOLERANCE.check(tolerance)?, ..self })
     }
@@ -87,7 +91,7 @@ impl Setting {
 
     /// max(|x0|, |v0|/ω0), m; for a mass that is released at rest in the middle 1, so that a tolerance still
     /// means something.
-    pub(super) fn amplitude(&self) -> f64 {
+    pub fn amplitude(&self) -> f64 {
         let omega = self.oscillator.angular_frequency();
         match self.release.position.abs().max(self.release.velocity.abs() / omega) {
             0.0 => 1.0,

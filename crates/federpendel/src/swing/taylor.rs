@@ -200,7 +200,7 @@ impl Taylor {
         }
         for _ in 0..MOST_STEPS {
             let expansion = self.expand::<FUSED>(l, z);
-            keep(pieces.as_deref_mut(), tau, &expansion);
+            self.keep(pieces.as_deref_mut(), tau, &expansion);
             let reach = expansion.radius;
             if horner::<FUSED>(&expansion.p, reach) >= 0.0 {
                 let guess = self.half_period.map_or(reach, |duration| duration.hi() - tau);
@@ -221,6 +221,17 @@ impl Taylor {
             }
         }
         Err(NotFollowed)
+    }
+
+    /// Stores the expansion about `center`, valid from half way since the centre before it; but not so far back that
+    /// friction, which runs backwards there, makes the rounding of its start grow.
+    fn keep(&self, pieces: Option<&mut Vec<Piece>>, center: f64, expansion: &Expansion) {
+        let Some(pieces) = pieces else { return };
+        let growth = 2.0 * (self.propagator.zeta() + self.kappa * expansion.p[0].abs());
+        let half_way = pieces.last().map_or(0.0, |last| 0.5 * (last.center + center));
+        let start = half_way.max(center - 1.0 / growth);
+        let (position, velocity) = (expansion.y, expansion.p);
+        pieces.push(Piece { start, center, inverse_scale: 1.0, position, velocity });
     }
 
     /// The next step from `tau` if the series reaches `reach`: half of what is left of a light swing if the
@@ -323,12 +334,4 @@ fn reversal<const FUSED: bool>(p: &[f64; DEGREE + 1], guess: f64, step: f64) -> 
         u = next;
     }
     u
-}
-
-/// Stores the expansion about `center`, valid from half way since the centre before it.
-fn keep(pieces: Option<&mut Vec<Piece>>, center: f64, expansion: &Expansion) {
-    let Some(pieces) = pieces else { return };
-    let start = pieces.last().map_or(0.0, |last| 0.5 * (last.center + center));
-    let (position, velocity) = (expansion.y, expansion.p);
-    pieces.push(Piece { start, center, inverse_scale: 1.0, position, velocity });
 }

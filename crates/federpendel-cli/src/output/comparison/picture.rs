@@ -88,7 +88,7 @@ fn ladders(
         .measured()
         .filter_map(|(candidate, measured)| {
             let (name, number) = (candidate.name(), candidate.number());
-            let rungs = &measured.rungs[..];
+            let rungs = &measured.ladder.rungs[..];
             let order = candidate.order().filter(|_| !rungs.is_empty())?;
             Some(MethodRungs { name, number, order, rungs })
         })

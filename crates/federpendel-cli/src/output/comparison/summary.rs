@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use console::{Alignment, measure_text_width, pad_str, style};
+use console::{Alignment, measure_text_width, pad_str, style as typeset};
 use federpendel::Outcome;
 use federpendel_text::plot::Plot;
 
@@ -29,7 +29,7 @@ pub(super) fn write(
     let (columns, rows) = room(ROWS_BESIDES + comparison.methods.len());
     let size = (columns, rows.max(FEWEST_ROWS));
     write_terminal(plot, size, out)?;
-    let sentences = [ending(comparison, style), range(comparison, style)];
+    let sentences = [Some(exact_ending(comparison, style)), range(comparison, style)];
     for line in sentences.iter().flatten().flat_map(|sentence| wrap(sentence, columns)) {
         writeln!(out, "{line}")?;
     }
@@ -38,7 +38,7 @@ pub(super) fn write(
     let rows: Vec<_> =
         comparison.methods.iter().map(|compared| Row::new(compared, style)).collect();
     write_rows(&head, &rows, columns, out)?;
-    writeln!(out, "  {}", style_dim(&style.catalogue.text("compare-order-note")))?;
+    writeln!(out, "  {}", typeset(style.catalogue.text("compare-order-note")).dim())?;
     failures(comparison, style, columns, out)?;
     if style.details {
         details(comparison, style, out)?;
@@ -46,14 +46,10 @@ pub(super) fn write(
     Ok(())
 }
 
-fn style_dim(text: &str) -> console::StyledObject<&str> {
-    style(text).dim()
-}
-
 /// How the exact motion ends.
-fn ending(comparison: &Comparison, style: Style<'_>) -> Option<String> {
+fn exact_ending(comparison: &Comparison, style: Style<'_>) -> String {
     let outcome = style.catalogue.outcome(&comparison.record.outcome);
-    Some(style.catalogue.format("summary-sentence", &[("outcome", outcome.into())]))
+    style.catalogue.format("summary-sentence", &[("outcome", outcome.into())])
 }
 
 /// Which method is nearest to the exact motion, and which is farthest from it.
@@ -106,7 +102,7 @@ impl Row {
             return Row([name, catalogue.text("compare-failed"), none(), none(), none(), none()]);
         };
         let declared = compared.candidate.order().map(|order| order.to_string());
-        let observed = measured.order.map(|order| decimal(order, style));
+        let observed = measured.ladder.order().map(|order| decimal(order, style));
         let order = match (declared, observed) {
             (Some(declared), Some(observed)) => format!("{declared} → {observed}"),
             (Some(declared), None) => format!("{declared} → ?"),
@@ -139,7 +135,9 @@ fn at_rest(measured: &Measured, style: Style<'_>) -> String {
 /// With one decimal: an order is not known better.
 fn decimal(order: f64, style: Style<'_>) -> String {
     let sign = style.catalogue.language().decimal_sign().to_string();
-    format!("{order:.1}").replace('.', &sign)
+    // Adding zero turns −0.0 into 0.0.
+    let order = (10.0 * order).round() / 10.0 + 0.0;
+    format!("{order:.1}").replace('.', &sign).replace('-', "−")
 }
 
 /// The rows as columns; the last ones are left out where the terminal is too narrow for them.
@@ -163,56 +161,81 @@ fn write_rows(head: &Row, rows: &[Row], columns: usize, out: &mut dyn Write) -> 
         });
         cells.collect::<String>().trim_end().to_owned()
     };
-    writeln!(out, "{}", style(line(head)).dim())?;
+    writeln!(out, "{}", typeset(line(head)).dim())?;
     rows.iter().try_for_each(|row| writeln!(out, "{}", line(row)))
 }
 
-/// Why methods failed, one sentence each.
+/// Why methods failed, and why some have no order; methods with one reason in one sentence.
 fn failures(
     comparison: &Comparison,
     style: Style<'_>,
     columns: usize,
     out: &mut dyn Write,
 ) -> io::Result<()> {
+    let mut reasons: Vec<(&str, String, Vec<&str>)> = Vec::new();
     for compared in &comparison.methods {
-        let Err(error) = &compared.found else { continue };
-        let sentence = style.catalogue.format(
-            "compare-failure",
-            &[
-                ("method", compared.candidate.name().into()),
-                ("reason", style.catalogue.error(error).into()),
-            ],
-        );
-        for line in wrap(&sentence, columns) {
+        let Some((id, reason)) = reason(compared, style) else { continue };
+        let name = compared.candidate.name();
+        match reasons.iter_mut().find(|known| (known.0, &known.1) == (id, &reason)) {
+            Some((_, _, names)) => names.push(name),
+            None => reasons.push((id, reason, vec![name])),
+        }
+    }
+    for (id, reason, names) in reasons {
+        let variables = [("method", names.join(", ").into()), ("reason", reason.into())];
+        for line in wrap(&style.catalogue.format(id, &variables), columns) {
             writeln!(out, "{line}")?;
         }
     }
     Ok(())
 }
 
+/// The sentence and the reason of a failure, if there is one.
+fn reason(compared: &Compared, style: Style<'_>) -> Option<(&'static str, String)> {
+    let catalogue = style.catalogue;
+    match &compared.found {
+        Err(error) => Some(("compare-failure", catalogue.error(error))),
+        Ok(measured) => {
+            let failed = measured.ladder.failed.as_ref()?;
+            let setting = match (failed.time_step, failed.tolerance) {
+                (Some(step), _) => format!("Δt = {}", catalogue.quantity(step, "s", DIGITS)),
+                (None, Some(tolerance)) => format!("ε = {}", catalogue.number(tolerance, 2)),
+                (None, None) => String::new(),
+            };
+            let reason = catalogue.error(&failed.error);
+            let variables = [("setting", setting.into()), ("reason", reason.into())];
+            Some(("compare-no-order", catalogue.format("compare-failed-rung", &variables)))
+        }
+    }
+}
+
 /// What the table has no room for.
-fn details(comparison: &Comparison, style_: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let catalogue = style_.catalogue;
+fn details(comparison: &Comparison, style: Style<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let catalogue = style.catalogue;
     for (candidate, measured) in comparison.measured() {
-        writeln!(out, "\n{}", style(candidate.name()).bold())?;
+        writeln!(out, "\n{}", typeset(candidate.name()).bold())?;
         let errors = &measured.errors;
         let length = |value: f64| catalogue.quantity(value, "m", 6);
+        let energy = errors.energy.map_or("–".into(), |error| catalogue.number(error, 3));
         let rows = [
             ("compare-detail-largest", length(errors.largest)),
             ("compare-detail-when", catalogue.quantity(errors.time_of_largest, "s", 6)),
             ("compare-detail-mean", length(errors.root_mean_square)),
-            ("compare-detail-energy", catalogue.number(errors.energy, 3)),
+            ("compare-detail-energy", energy),
             ("compare-detail-final", length(errors.final_position)),
         ];
         for (id, value) in rows {
-            writeln!(out, "  {}  {value}", style(catalogue.text(id)).dim())?;
+            writeln!(out, "  {}  {value}", typeset(catalogue.text(id)).dim())?;
         }
-        if !measured.rungs.is_empty() {
-            writeln!(out, "  {}", style(catalogue.text("compare-detail-rungs")).dim())?;
+        if !measured.ladder.rungs.is_empty() {
+            writeln!(out, "  {}", typeset(catalogue.text("compare-detail-rungs")).dim())?;
         }
-        for rung in &measured.rungs {
-            let step = catalogue.quantity(rung.time_step, "s", 4);
-            writeln!(out, "    Δt {step:>12}  {:>12}  {:>10}", length(rung.error), rung.steps)?;
+        for rung in &measured.ladder.rungs {
+            let step = match rung.tolerance {
+                Some(tolerance) => format!("ε  {:>12}", catalogue.number(tolerance, 2)),
+                None => format!("Δt {:>12}", catalogue.quantity(rung.time_step, "s", 4)),
+            };
+            writeln!(out, "    {step}  {:>14}  {:>10}", length(rung.error), rung.steps)?;
         }
     }
     if matches!(comparison.record.outcome, Outcome::Rests(_)) {

@@ -1,5 +1,6 @@
 //! Methods beside the exact motion, with the fields of `schemas/comparison.schema.json`.
 
+use federpendel::lens::Rung;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -49,6 +50,7 @@ struct MethodFields<'a> {
     creep: Option<f64>,
     steps: Option<u64>,
     run_time: Option<f64>,
+    ladder: Option<Vec<RungFields>>,
     failed: Option<String>,
     samples: Option<Samples<'a>>,
 }
@@ -63,20 +65,37 @@ impl<'a> MethodFields<'a> {
             }
             Ok(measured) => MethodFields {
                 declared_order,
-                observed_order: measured.order,
+                observed_order: measured.ladder.order(),
                 max_error: Some(measured.errors.largest),
                 time_of_max_error: Some(measured.errors.time_of_largest),
                 rms_error: Some(measured.errors.root_mean_square),
-                energy_error: Some(measured.errors.energy),
+                energy_error: measured.errors.energy,
                 final_position: Some(measured.errors.final_position + 0.0),
                 sticks: measured.sticks,
                 creep: measured.creep,
                 steps: Some(measured.errors.steps),
                 run_time: Some(measured.run_time.as_secs_f64()),
+                ladder: Some(measured.ladder.rungs.iter().map(RungFields::new).collect()),
                 failed: None,
                 samples: Some(Samples { comparison, measured }),
             },
         }
+    }
+}
+
+/// A run with another step or tolerance.
+#[derive(Serialize)]
+struct RungFields {
+    time_step: f64,
+    tolerance: Option<f64>,
+    max_error: f64,
+    steps: u64,
+}
+
+impl RungFields {
+    fn new(rung: &Rung) -> Self {
+        let Rung { time_step, tolerance, error, steps } = *rung;
+        RungFields { time_step, tolerance, max_error: error, steps }
     }
 }
 
