@@ -28,6 +28,10 @@ type Coordinate = fn(&State) -> f64;
 /// see of the motion.
 const WIDEST_BAR: f64 = 1.5;
 
+/// Half the height of the bar, over the largest velocity.
+const BAR: f64 = 0.02;
+const BAR_POINTS: u16 = 200;
+
 impl Plot {
     /// The phase portrait: v against x, with release, turning points and rest, and the sticking band as a
     /// bar on v = 0.
@@ -52,7 +56,16 @@ impl Plot {
             let name = catalogue.format("plot-sticking-band", &[("offset", offset.into())]);
             let widest = if width > 0.0 { WIDEST_BAR * width } else { data.sticking_offset };
             let end = data.sticking_offset.min(widest);
-            plot.add(name, Role::Sticking, Style::BAR, [(-end, 0.0), (end, 0.0)]);
+            // An area, which ends where the band ends; a thick line would be round beyond it.
+            let half = BAR * if height > 0.0 { height } else { plot.y.unit_size };
+            // With points enough for a terminal, which draws an area as upright lines.
+            let points = (0..=BAR_POINTS)
+                .map(|i| (end * (2.0 * f64::from(i) / f64::from(BAR_POINTS) - 1.0), half));
+            plot.add(name, Role::Sticking, Style::SOLID, points);
+            let lower = -half / plot.y.unit_size;
+            if let Some(bar) = plot.series.last_mut() {
+                bar.lower = Some(vec![lower; bar.points.len()]);
+            }
         }
         plot
     }

@@ -64,8 +64,6 @@ impl Style {
     pub const DOTTED: Style = Style::Line { dash: Dash::Dotted, width: 1.0 };
     /// A thin solid line.
     pub const THIN: Style = Style::Line { dash: Dash::Solid, width: 0.5 };
-    /// A bar.
-    pub const BAR: Style = Style::Line { dash: Dash::Solid, width: 5.0 };
 
     /// The line of method `n` of several: together with the colour of [`Role::Comparison`] twelve are
     /// told apart, and without colour still by marker and dash.
