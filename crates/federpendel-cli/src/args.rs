@@ -4,8 +4,10 @@ mod command;
 mod generate;
 mod missing;
 mod refuse;
+mod score;
 
 pub(crate) use generate::{completions, man};
+pub use score::Score;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -32,6 +34,8 @@ pub enum Request {
     Simulate(Simulate),
     /// Hold methods beside its exact motion.
     Compare(Compare),
+    /// Hold samples against a reference problem.
+    Score(Score),
     /// Write the completions for a shell.
     Completions(Shell),
     /// Write the manual page.
@@ -139,15 +143,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
                 | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
                     Err(Failure::NoCommand(command::command(catalogue).render_help()))
                 }
-                _ => {
-                    let takes_a_file = |word: &&OsString| *word == "simulate" || *word == "compare";
-                    let commands = ["simulate", "compare", "completions", "man"];
-                    let command = arguments
-                        .iter()
-                        .find(|word| commands.iter().any(|command| *word == *command));
-                    let simulates = command.as_ref().is_some_and(takes_a_file);
-                    Err(Failure::Input(refuse::sentence(&error, simulates, catalogue)))
-                }
+                _ => Err(Failure::Input(refuse::sentence(&error, arguments, catalogue))),
             };
         }
     };
@@ -157,6 +153,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
             None => Request::Man,
         },
         Some(("man", _)) => Request::Man,
+        Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),

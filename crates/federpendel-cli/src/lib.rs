@@ -10,6 +10,7 @@ mod output;
 mod progress;
 pub mod quantity;
 mod record;
+mod score;
 mod simulate;
 pub mod words;
 
@@ -36,6 +37,7 @@ fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
     match request {
         Request::Simulate(arguments) => simulate::run(arguments, catalogue),
         Request::Compare(arguments) => compare::run(arguments, catalogue),
+        Request::Score(arguments) => score::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),
         Request::Print(text) => output::to_stdout(|out| out.write_all(text.as_bytes()), catalogue),

@@ -23,7 +23,7 @@ pub(crate) fn experiment(
     catalogue: &Catalogue,
 ) -> Result<Experiment, Failure> {
     let (name, bytes) = match &subject.experiment {
-        Some(path) => (Some(path.display().to_string()), read(path, catalogue)?),
+        Some(path) => (Some(path.display().to_string()), read(path, LARGEST_FILE, catalogue)?),
         None => (None, BUILT_IN.as_bytes().to_vec()),
     };
     let overrides = subject.overrides.iter().map(|(field, quantity)| (*field, quantity.as_str()));
@@ -35,9 +35,10 @@ pub(crate) fn experiment(
         .map_err(|error| Failure::Input(experiment_error(catalogue, &error, name.as_deref())))
 }
 
-/// The bytes of an experiment file, of `-` those of standard input; no more than decide its fate.
-fn read(path: &Path, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
-    let limit = LARGEST_FILE as u64 + 1;
+/// The bytes of a file, of `-` those of standard input; one more than the `largest` number allowed
+/// decides its fate.
+pub(crate) fn read(path: &Path, largest: usize, catalogue: &Catalogue) -> Result<Vec<u8>, Failure> {
+    let limit = largest as u64 + 1;
     let mut bytes = Vec::new();
     let done = if path == Path::new("-") {
         std::io::stdin().take(limit).read_to_end(&mut bytes)

@@ -5,6 +5,7 @@ mod csv;
 mod json;
 mod motion;
 mod plot;
+mod score;
 mod summary;
 mod targets;
 mod whole;
@@ -14,6 +15,7 @@ pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
 pub(crate) use motion::MotionReport;
 pub use motion::Picture as MotionPicture;
+pub(crate) use score::write_score;
 pub(crate) use targets::Targets;
 
 use std::io::{self, BufWriter, Write};

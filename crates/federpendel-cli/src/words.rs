@@ -3,12 +3,14 @@
 mod experiment;
 mod quantity;
 mod remark;
+mod samples;
 mod syntax;
 mod too_long;
 
 pub use experiment::experiment_error;
 pub use quantity::{allowed, flag_value, quantity_problem};
 pub(crate) use remark::remark;
+pub(crate) use samples::samples_fault;
 pub(crate) use too_long::too_long_step;
 
 /// Longest part of what a user wrote that a message repeats, characters.

@@ -143,7 +143,10 @@ fn unknown_words() {
     for (command, near) in [("simulat", Some("simulate?")), ("Man", Some("man?")), ("run", None)] {
         let Finished { status, err, .. } = Workplace::new().run(&[command]);
         assert_eq!(status, Some(2));
-        assert!(err.contains(near.unwrap_or("simulate, compare, completions, man")), "{err}");
+        assert!(
+            err.contains(near.unwrap_or("simulate, compare, score, completions, man")),
+            "{err}"
+        );
     }
     flags_say(&["--lang", "fr"], &["--lang", "fr", "en, de"]);
     file_says(

@@ -479,3 +479,62 @@ compare-detail-rungs = Fehler bei immer kürzeren Schritten
 compare-detail-creep = Nach der Ruhe: beobachtet in der zweiten ungedämpften Periode, nachdem die Masse zur Ruhe gekommen ist.
 error-step-underflow = bei { $time } ist der Schritt auf { $step } geschrumpft, womit die Zeit nicht mehr vorankommt; eine größere Toleranz kann halten
 error-step-limit = bei { $time } waren die { $limit } erlaubten Schritte verbraucht
+
+### Werte anderer Programme gegen die Referenzprobleme
+
+cli-score = Die Werte eines anderen Programms an einem Referenzproblem messen: wie weit daneben, und ob sie in der Ruhelage stillstehen
+cli-score-examples =
+    Eine Datei mit Werten ist CSV mit Kopfzeile: die Spalten time und position, dazu velocity, wenn bekannt, in SI-Einheiten; die Zeiten in beliebiger Folge. Zwischen den Zellen stehen Kommas oder Semikolons; mit Semikolons sind auch Dezimalkommas erlaubt. Andere Spalten bleiben unbeachtet.
+
+    Beispiele:
+      federpendel score --list coulomb
+      federpendel score --problem laboratory-c --times > zeiten.txt
+      federpendel score meine.csv --problem laboratory-c
+      federpendel score meine.csv --problem laboratory-c --format json
+cli-score-samples = Datei mit Werten, „-“ für die Standardeingabe
+cli-score-problem = Name des Problems
+cli-score-format = Was die Standardausgabe erhält: summary (Vorgabe) oder json
+cli-score-list = Die Probleme auflisten; mit einem Text nur die, in deren Namen, Reibung oder englischer Beschreibung er vorkommt
+cli-score-times = Die Zeiten ausgeben, zu denen das Problem 36 Stellen enthält
+cli-value-text = TEXT
+cli-second-samples = „{ $argument }“ ist eine Datei zu viel: Nur eine Datei mit Werten ist erlaubt
+score-lists-alone = --list steht allein, --times nur mit --problem; beide vertragen sich weder mit einer Datei noch mit --format
+score-no-problem = --problem fehlt; erlaubt ist ein Name aus federpendel score --list
+score-no-samples = Die Datei mit den Werten fehlt; erlaubt ist eine CSV-Datei mit den Spalten time und position, oder „-“ für die Standardeingabe
+score-unknown-problem = --problem ist „{ $name }“, so heißt kein Problem; federpendel score --list zeigt die Namen
+score-unknown-problem-near = --problem ist „{ $name }“, so heißt kein Problem; war { $nearest } gemeint?
+score-none-listed = --list ist „{ $part }“; das kommt in keinem Namen, keiner Reibung und keiner Beschreibung vor; federpendel score --list zeigt alle
+score-beyond = { $file }: { $reason }
+samples-too-large = { $place } ist zu groß; erlaubt sind { $limit } Bytes
+samples-not-utf8 = { $place }: Diese Zeile ist kein UTF-8; erlaubt ist UTF-8-Text
+samples-empty = { $place } ist leer; erlaubt sind eine Kopfzeile mit den Spalten time und position und Zeilen mit Zahlen darunter
+samples-no-rows = { $place } hat eine Kopfzeile, aber keine Werte; mindestens eine Zeile mit Zahlen muss folgen
+samples-missing-column = { $place }: In der Kopfzeile „{ $header }“ fehlt die Spalte { $name }; sie darf { $name } oder { $short } heißen
+samples-column-twice = { $place }: Die Spalte { $column } steht zweimal in der Kopfzeile; erlaubt ist einmal
+samples-unit = { $place }: Die Einheit der Spalte { $column } ist „{ $unit }“; erlaubt ist { $allowed }
+samples-cells = { $place }: Diese Zeile hat { $found } Zellen, die Kopfzeile { $expected }; erlaubt sind gleich viele, und Dezimalkommas nur mit Semikolons zwischen den Zellen
+samples-no-number = { $place }: { $column } ist „{ $value }“; erlaubt ist eine Zahl
+samples-not-finite = { $place }: { $column } ist „{ $value }“; erlaubt ist eine endliche Zahl, dem Betrag nach höchstens { $largest }
+samples-negative-time = { $place }: { $column } ist „{ $value }“; erlaubt ist 0 oder größer
+score-of-amplitude = { $error } der Amplitude
+score-of-speed = { $error } von ω₀ mal Amplitude
+score-agrees = Die Werte stimmen mit der exakten Bewegung auf Rundung genau überein.
+score-sentence = Die Werte weichen von der exakten Bewegung um bis zu { $error } ab, am meisten bei { $time }.
+score-rest-sticks = Nach der Ruhe bei { $time } stehen sie still.
+score-rest-creeps = Nach der Ruhe bei { $time } kriechen sie weiter, mit { $speed }.
+score-rest-moves = Nach der Ruhe bei { $time } bewegen sie sich weiter, in einem Bereich von { $range }.
+score-rest-unknown = Nach der Ruhe bei { $time } liegen zu wenige von ihnen, um zu sagen, ob sie stillstehen.
+score-problem = Problem
+score-samples = Werte
+score-samples-value = { $samples }, der letzte bei { $time }
+score-position = Auslenkung
+score-velocity = Geschwindigkeit
+score-errors-value = größter Fehler { $error }, bei { $time }; quadratisches Mittel { $mean }
+score-last = Fehler des letzten Werts
+score-stored = gegen die Referenzziffern
+score-stored-value =
+    höchstens { $error }, zu { $samples ->
+        [one] einer Zeit mit Referenzwert
+       *[other] { $samples } Zeiten mit Referenzwert
+    }
+score-bound = Bewegung bekannt auf

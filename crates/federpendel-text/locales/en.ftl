@@ -479,3 +479,62 @@ compare-detail-rungs = error for shorter and shorter steps
 compare-detail-creep = After rest: watched during the second undamped period after the mass has come to rest.
 error-step-underflow = at { $time } the step has shrunk to { $step }, where time no longer advances; a larger tolerance may hold
 error-step-limit = at { $time } the { $limit } steps allowed were used up
+
+### Samples of other programs against the reference problems
+
+cli-score = Score another program’s samples against a reference problem: how far off, and whether they stand still at rest
+cli-score-examples =
+    A file of samples is CSV with a header: the columns time and position, velocity if known, in SI units; times in any order. Commas between cells, or semicolons, with which decimal commas are allowed. Other columns are ignored.
+
+    Examples:
+      federpendel score --list coulomb
+      federpendel score --problem laboratory-c --times > times.txt
+      federpendel score mine.csv --problem laboratory-c
+      federpendel score mine.csv --problem laboratory-c --format json
+cli-score-samples = File of samples, “-” for standard input
+cli-score-problem = Name of the problem
+cli-score-format = What standard output gets: summary (default) or json
+cli-score-list = List the problems; with a text only those in whose name, mix or description it stands
+cli-score-times = Print the times at which the problem stores 36 digits
+cli-value-text = TEXT
+cli-second-samples = “{ $argument }” is one file too many: only one file of samples is allowed
+score-lists-alone = --list stands alone, --times only with --problem; neither goes with a file of samples or with --format
+score-no-problem = --problem is missing; allowed is a name that federpendel score --list shows
+score-no-samples = The file of samples is missing; allowed is a CSV file with the columns time and position, or “-” for standard input
+score-unknown-problem = --problem is “{ $name }”, which no problem is called; federpendel score --list shows the names
+score-unknown-problem-near = --problem is “{ $name }”, which no problem is called; did you mean { $nearest }?
+score-none-listed = --list is “{ $part }”, which stands in no problem’s name, mix or description; federpendel score --list shows all
+score-beyond = { $file }: { $reason }
+samples-too-large = { $place } is too large; allowed are { $limit } bytes
+samples-not-utf8 = { $place }: this line is not UTF-8; allowed is UTF-8 text
+samples-empty = { $place } is empty; allowed is a header with the columns time and position, and rows of numbers below it
+samples-no-rows = { $place } has a header but no samples; at least one row of numbers is needed
+samples-missing-column = { $place }: the header “{ $header }” has no column { $name }; it may be called { $name } or { $short }
+samples-column-twice = { $place }: the column { $column } stands twice in the header; allowed is once
+samples-unit = { $place }: the column { $column } is in “{ $unit }”; allowed is { $allowed }
+samples-cells = { $place }: this row has { $found } cells, the header { $expected }; allowed are as many, and decimal commas only with semicolons between cells
+samples-no-number = { $place }: { $column } is “{ $value }”; allowed is a number
+samples-not-finite = { $place }: { $column } is “{ $value }”; allowed is a finite number, at most { $largest } in magnitude
+samples-negative-time = { $place }: { $column } is “{ $value }”; allowed is 0 or greater
+score-of-amplitude = { $error } of the amplitude
+score-of-speed = { $error } of ω₀ times the amplitude
+score-agrees = The samples agree with the exact motion to rounding.
+score-sentence = The samples are up to { $error } off the exact motion, most at { $time }.
+score-rest-sticks = After the rest at { $time } they stand still.
+score-rest-creeps = After the rest at { $time } they creep on, at { $speed }.
+score-rest-moves = After the rest at { $time } they keep moving, within { $range }.
+score-rest-unknown = Too few of them lie after the rest at { $time } to tell whether they stand still.
+score-problem = problem
+score-samples = samples
+score-samples-value = { $samples }, the last at { $time }
+score-position = position
+score-velocity = velocity
+score-errors-value = largest error { $error }, at { $time }; root mean square { $mean }
+score-last = last sample off by
+score-stored = against stored digits
+score-stored-value =
+    { $error } at most, at { $samples ->
+        [one] one stored time
+       *[other] { $samples } stored times
+    }
+score-bound = motion known to

@@ -1,5 +1,7 @@
 //! The command line described to clap, in the user's language.
 
+mod score;
+
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
@@ -44,6 +46,7 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         )
         .subcommand(simulate(catalogue))
         .subcommand(compare(catalogue))
+        .subcommand(score::score(catalogue))
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))
         .styles(STYLES)

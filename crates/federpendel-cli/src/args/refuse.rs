@@ -1,5 +1,7 @@
 //! clap's refusals in the user's language.
 
+use std::ffi::OsString;
+
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap_complete::Shell;
@@ -8,10 +10,25 @@ use federpendel_text::Catalogue;
 use crate::words::nearest;
 
 /// The commands, as they are listed.
-const COMMANDS: [&str; 4] = ["simulate", "compare", "completions", "man"];
+const COMMANDS: [&str; 5] = ["simulate", "compare", "score", "completions", "man"];
 
-/// One sentence that names what is wrong and what is allowed; `simulates` if the command takes an experiment file.
-pub(super) fn sentence(error: &clap::Error, simulates: bool, catalogue: &Catalogue) -> String {
+/// Commands that take one file, each with the sentence that refuses a second one.
+const SECOND_FILE: [(&str, &str); 3] = [
+    ("simulate", "cli-second-file"),
+    ("compare", "cli-second-file"),
+    ("score", "cli-second-samples"),
+];
+
+/// One sentence that names what is wrong with `arguments` and what is allowed.
+pub(super) fn sentence(
+    error: &clap::Error,
+    arguments: &[OsString],
+    catalogue: &Catalogue,
+) -> String {
+    // The command is the first word that is one: `man compare` is about `man`.
+    let command = arguments.iter().find(|word| COMMANDS.iter().any(|command| *word == command));
+    let takes_one = |(name, _): &&(&str, &str)| command.is_some_and(|command| command == name);
+    let second_file = SECOND_FILE.iter().find(takes_one).map(|(_, id)| *id);
     let context = |kind| words(error.get(kind));
     let argument = flag_only(&context(ContextKind::InvalidArg));
     let value = context(ContextKind::InvalidValue);
@@ -24,8 +41,8 @@ pub(super) fn sentence(error: &clap::Error, simulates: bool, catalogue: &Catalog
         catalogue.format(id, &variables)
     };
     match error.kind() {
-        ErrorKind::UnknownArgument if simulates && !argument.starts_with('-') => {
-            say("cli-second-file")
+        ErrorKind::UnknownArgument if !argument.starts_with('-') && second_file.is_some() => {
+            say(second_file.unwrap_or_default())
         }
         ErrorKind::UnknownArgument => match context(ContextKind::SuggestedArg) {
             near if near.is_empty() => say("cli-unknown-argument"),

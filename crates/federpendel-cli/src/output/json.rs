@@ -1,7 +1,8 @@
-//! Everything as JSON, with the fields of `schemas/simulation.schema.json` or `schemas/comparison.schema.json`.
+//! Everything as JSON, with the fields of the schemas in `schemas/`.
 
 mod comparison;
 mod document;
+mod score;
 mod tidy;
 
 use std::io::{self, Write};
@@ -11,8 +12,10 @@ use serde_json::Serializer;
 
 use crate::comparison::Comparison;
 use crate::record::Record;
+use crate::score::Score;
 use comparison::ComparisonDocument;
 use document::Document;
+use score::ScoreDocument;
 use tidy::Tidy;
 
 pub(super) fn write(record: &Record, out: &mut dyn Write) -> io::Result<()> {
@@ -21,6 +24,10 @@ pub(super) fn write(record: &Record, out: &mut dyn Write) -> io::Result<()> {
 
 pub(super) fn write_comparison(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
     write_document(&ComparisonDocument::new(comparison).map_err(io::Error::other)?, out)
+}
+
+pub(super) fn write_score(score: &Score<'_>, out: &mut dyn Write) -> io::Result<()> {
+    write_document(&ScoreDocument::new(score), out)
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

@@ -16,7 +16,7 @@ use super::plot::write_terminal;
 use crate::record::{Record, Source};
 use crate::words::remark;
 pub(super) use noise::Noise;
-use table::Table;
+pub(super) use table::Table;
 pub(super) use wrap::wrap;
 
 /// Digits of a quantity in a table.

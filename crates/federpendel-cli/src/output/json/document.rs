@@ -5,10 +5,11 @@ use serde::{Serialize, Serializer};
 
 use crate::record::{Record, Source};
 
+/// Which schema a document fits.
 #[derive(Serialize)]
-struct Schema {
-    name: &'static str,
-    version: u32,
+pub(super) struct Schema {
+    pub(super) name: &'static str,
+    pub(super) version: u32,
 }
 
 #[derive(Serialize)]

@@ -13,28 +13,29 @@ const GAP: usize = 2;
 /// Fewest columns for values; where names leave less, values stand below them.
 const NARROWEST: usize = 22;
 
-pub(super) struct Table<'a> {
+/// Rows of two columns.
+pub(in crate::output) struct Table<'a> {
     catalogue: &'a Catalogue,
     rows: Vec<(String, String)>,
 }
 
 impl<'a> Table<'a> {
-    pub(super) fn new(catalogue: &'a Catalogue) -> Self {
+    pub(in crate::output) fn new(catalogue: &'a Catalogue) -> Self {
         Self { catalogue, rows: Vec::new() }
     }
 
     /// A row whose name is the sentence `id`.
-    pub(super) fn row(&mut self, id: &str, value: String) {
+    pub(in crate::output) fn row(&mut self, id: &str, value: String) {
         self.named(self.catalogue.text(id), value);
     }
 
     /// A row with a name made elsewhere.
-    pub(super) fn named(&mut self, name: String, value: String) {
+    pub(in crate::output) fn named(&mut self, name: String, value: String) {
         self.rows.push((name, value));
     }
 
     /// Writes it at most `columns` wide.
-    pub(super) fn write(&self, columns: usize, out: &mut dyn Write) -> io::Result<()> {
+    pub(in crate::output) fn write(&self, columns: usize, out: &mut dyn Write) -> io::Result<()> {
         let names = self.rows.iter().map(|(name, _)| measure_text_width(name));
         let width = names.max().unwrap_or(0);
         let left = columns.saturating_sub(width + 2 * GAP);
