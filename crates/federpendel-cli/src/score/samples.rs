@@ -89,7 +89,7 @@ impl Cells {
         Cells { separator: if header.contains(';') { ';' } else { ',' } }
     }
 
-    fn split<'a>(self, line: &'a str) -> impl Iterator<Item = &'a str> {
+    fn split(self, line: &str) -> impl Iterator<Item = &str> {
         line.split(self.separator).map(|cell| cell.trim().trim_matches('"').trim())
     }
 
