@@ -113,3 +113,17 @@ fn an_acceleration_out_of_range_is_refused() {
     let release = State::new(9.6e-5, 2.8e-4).unwrap();
     assert_eq!(refused(Motion::new(oscillator, release)), "acceleration");
 }
+
+/// Found by fuzzing: a throw so slow that it turned before it began.
+#[test]
+fn no_swing_ends_before_it_begins() {
+    let friction = Friction {
+        stokes: None,
+        coulomb: Some(Coulomb::new(2.8e-5, 38.55, NormalForce::Weight(3.97e-5)).unwrap()),
+        newton: Some(Newton::new(1.26e-6).unwrap()),
+    };
+    let oscillator = Oscillator::new(245_860.0, 99_830.0, friction).unwrap();
+    let motion = Motion::new(oscillator, State::new(9.983e-6, 4.7e-234).unwrap()).unwrap();
+    let Outcome::Rests(rest) = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    assert!(rest.time >= 0.0 && rest.position == 9.983e-6, "{rest:?}");
+}

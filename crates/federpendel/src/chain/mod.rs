@@ -68,6 +68,8 @@ impl Start {
         let index = self.index + 1;
         let x = -self.direction * (y + offset);
         let direction = departure(x, sticking.verdict(x, index, error).sticks);
+        // A throw too slow for its swing to take any time can come out shorter than none.
+        let duration = if duration.hi() > 0.0 { duration } else { 0.0.into() };
         Start { index, tau: self.tau + duration, x, w: 0.0, direction, error }
     }
 
