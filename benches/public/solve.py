@@ -9,7 +9,7 @@ import time
 
 from problem import load
 
-SOLVERS = ["scipy_textbook", "scipy_events", "mujoco_joint"]
+SOLVERS = ["scipy_textbook", "scipy_events", "mujoco_joint", "rust_peer"]
 
 
 def main():
@@ -23,8 +23,9 @@ def main():
     rows, work, remark = module.solve(problem, setting, limit)
     wall = time.perf_counter() - begun
     with open(out, "w") as file:
-        file.write("time,position,velocity\n")
-        file.writelines(f"{t!r},{x!r},{v!r}\n" for t, x, v in rows)
+        with_velocity = not rows or len(rows[0]) == 3
+        file.write("time,position,velocity\n" if with_velocity else "time,position\n")
+        file.writelines(",".join(map(repr, row)) + "\n" for row in rows)
     print(json.dumps({"samples": len(rows), "work": work, "wall": wall, "remark": remark}))
 
 
