@@ -130,6 +130,8 @@ impl Motion {
         derived("position", &["position"], release.position, release.position != 0.0)?;
         derived("velocity", &["velocity"], release.velocity, release.velocity != 0.0)?;
         derived("amplitude", OF, amplitude, moves)?;
+        let scaled = release.velocity / reduced.omega0.hi();
+        derived("velocity/angular_frequency", OF, scaled, release.velocity != 0.0)?;
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
         // In units of ω0² m, in which it is computed, and in SI units.

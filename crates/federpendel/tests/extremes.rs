@@ -127,3 +127,12 @@ fn no_swing_ends_before_it_begins() {
     let Outcome::Rests(rest) = motion.outcome() else { panic!("{:?}", motion.outcome()) };
     assert!(rest.time >= 0.0 && rest.position == 9.983e-6, "{rest:?}");
 }
+
+/// Found by fuzzing: a velocity that is no length any more once it is divided by ω0.
+#[test]
+fn a_velocity_that_underflows_in_the_units_of_the_motion_is_refused() {
+    let dry = Coulomb::new(1.6e-4, 110.0, NormalForce::Given(253_800.0)).unwrap();
+    let oscillator = Oscillator::new(1.14e-259, 260.3, dry).unwrap();
+    let release = State::new(-3.9e-8, 1.1e-259).unwrap();
+    assert_eq!(refused(Motion::new(oscillator, release)), "velocity/angular_frequency");
+}
