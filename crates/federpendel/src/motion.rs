@@ -134,6 +134,8 @@ impl Motion {
         derived("velocity/angular_frequency", OF, scaled, release.velocity != 0.0)?;
         derived("energy", OF, oscillator.energy(release), moves)?;
         let drag = reduced.kappa * amplitude;
+        // The series of drag multiplies lengths, and its coefficients grow.
+        derived("amplitude^3", OF, amplitude.powi(3), moves && reduced.kappa > 0.0)?;
         // In units of ω0² m, in which it is computed, and in SI units.
         let damped = amplitude * (1.0 + 2.0 * reduced.zeta.hi() + drag);
         let acceleration = damped + reduced.offset.hi();

@@ -136,3 +136,12 @@ fn a_velocity_that_underflows_in_the_units_of_the_motion_is_refused() {
     let release = State::new(-3.9e-8, 1.1e-259).unwrap();
     assert_eq!(refused(Motion::new(oscillator, release)), "velocity/angular_frequency");
 }
+
+/// Found by fuzzing: lengths whose products overflow in the series of drag.
+#[test]
+fn an_amplitude_too_large_for_the_series_of_drag_is_refused() {
+    let drag = Newton::new(8e-125).unwrap();
+    let oscillator = Oscillator::new(1e-5, 1.07e-255, drag).unwrap();
+    let release = State::new(7.71e7, 0.000771).unwrap();
+    assert_eq!(refused(Motion::new(oscillator, release)), "amplitude^3");
+}
