@@ -215,5 +215,8 @@ fn steps_without_measure_are_refused() {
         let failed = Course::new(named(name).unwrap(), &setting).unwrap().at(1e9).unwrap_err();
         matches!(failed, Error::StepLimit { .. } | Error::Diverged { .. })
     };
+    let setting = Setting::of(&motion).with_time_step(1e-12).unwrap();
+    let course = Course::new(named("rk4").unwrap(), &setting).unwrap();
+    assert!(matches!(course.check(1.0), Err(Error::TooManySteps { .. })));
     assert!(at("rk4-located", 1e9) && at("verlet-located", 1e9) && at("rk4", 1.2));
 }

@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use federpendel::article::{Formula, Reading};
-use federpendel::lens::{self, Course, Ending, Errors, Gauge, Ladder, MOST_STEPS};
+use federpendel::lens::{self, Course, Ending, Errors, Gauge, Ladder};
 use federpendel::scheme::{Scheme, Setting};
-use federpendel::{Error, Outcome, Result, State};
+use federpendel::{Outcome, Result, State};
 
 use super::Candidate;
 use crate::record::Record;
@@ -67,12 +67,10 @@ impl Measured {
 
     fn scheme(scheme: &Scheme, record: &Record, setting: &Setting) -> Result<Self> {
         let motion = &record.motion;
-        if !scheme.adaptive {
-            check_steps(record.duration, setting.time_step())?;
-        }
         // Once for the samples, which is timed, and once more to be held to the exact motion step by step.
         let began = Instant::now();
         let mut course = Course::new(scheme, setting)?;
+        course.check(record.duration)?;
         let states =
             record.exact.iter().map(|sample| course.at(sample.time)).collect::<Result<_>>()?;
         let run_time = began.elapsed();
@@ -103,14 +101,4 @@ fn ending(scheme: &Scheme, record: &Record, setting: &Setting) -> Option<Ending>
         return None;
     }
     lens::ending(&record.motion, scheme, setting).ok().flatten()
-}
-
-/// Refuses more steps than are taken before the first is.
-fn check_steps(time: f64, time_step: f64) -> Result<()> {
-    let steps = time / time_step;
-    if steps <= MOST_STEPS as f64 {
-        Ok(())
-    } else {
-        Err(Error::TooManySteps { time, time_step, steps, limit: MOST_STEPS })
-    }
 }

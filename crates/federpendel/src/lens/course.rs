@@ -19,6 +19,7 @@ pub struct Course {
     /// A position beyond this has run away, m.
     farthest: f64,
     time_step: f64,
+    adaptive: bool,
 }
 
 /// Amplitudes that a method may be away from the middle. No motion goes beyond one, and what is so far off is no motion.
@@ -37,7 +38,21 @@ impl Course {
             limit,
             farthest: FARTHEST * setting.amplitude(),
             time_step: setting.time_step(),
+            adaptive: scheme.adaptive,
         })
+    }
+
+    /// Refuses more steps to `time` (s) than are taken before the first of them is.
+    ///
+    /// # Errors
+    /// [`Error::TooManySteps`]; never for a method that chooses its steps.
+    pub fn check(&self, time: f64) -> Result<()> {
+        let (time_step, steps, limit) = (self.time_step, time / self.time_step, self.limit);
+        if self.adaptive || steps <= limit as f64 {
+            Ok(())
+        } else {
+            Err(Error::TooManySteps { time, time_step, steps, limit })
+        }
     }
 
     /// Steps taken so far.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Course, MOST_STEPS};
+use super::Course;
 use crate::error::Result;
 use crate::motion::Motion;
 use crate::outcome::Outcome;
@@ -30,13 +30,12 @@ const WATCHED: f64 = 1.0;
 pub fn ending(motion: &Motion, scheme: &Scheme, setting: &Setting) -> Result<Option<Ending>> {
     let Outcome::Rests(rest) = motion.outcome() else { return Ok(None) };
     let period = 2.0 * PI / motion.oscillator().angular_frequency();
-    let steps = (rest.time + (SETTLING + WATCHED) * period) / setting.time_step();
-    if !scheme.adaptive && steps > MOST_STEPS as f64 {
-        return Ok(None);
-    }
     let mut course = Course::new(scheme, setting)?;
     let from = rest.time + SETTLING * period;
     let until = from + WATCHED * period;
+    if course.check(until).is_err() {
+        return Ok(None);
+    }
     let first = course.at(from)?;
     let mut still = first.velocity == 0.0;
     let (mut low, mut high) = (first.position, first.position);

@@ -108,8 +108,9 @@ impl<'m> Gauge<'m> {
 /// The errors of a method on its own steps from 0 to `duration`, s; the end itself is added.
 ///
 /// # Errors
-/// What makes the method fail, see [`Course::step`].
+/// What makes the method fail, see [`Course::check`] and [`Course::step`].
 pub fn errors(motion: &Motion, course: &mut Course, duration: f64) -> Result<Errors> {
+    course.check(duration)?;
     let mut gauge = Gauge::new(motion);
     let (mut time, mut state) = course.now();
     while time < duration {
