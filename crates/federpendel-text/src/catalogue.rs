@@ -28,11 +28,12 @@ impl Catalogue {
         if language == Language::German {
             bundle.set_formatter(Some(german_number));
         }
-        // Whatever is wrong in the embedded file a test has refused; what could be read is kept.
-        let (Ok(resource) | Err((resource, _))) =
-            FluentResource::try_new(source(language).to_owned());
-        let added = bundle.add_resource(resource);
-        debug_assert!(added.is_ok(), "{added:?}");
+        for source in sources(language) {
+            // Whatever is wrong in an embedded file a test has refused; what could be read is kept.
+            let (Ok(resource) | Err((resource, _))) = FluentResource::try_new(source.to_owned());
+            let added = bundle.add_resource(resource);
+            debug_assert!(added.is_ok(), "{added:?}");
+        }
         Self { language, bundle }
     }
 
@@ -86,11 +87,22 @@ impl std::fmt::Debug for Catalogue {
     }
 }
 
-/// The embedded file of a language.
-fn source(language: Language) -> &'static str {
+/// The embedded files of a language.
+macro_rules! locale {
+    ($folder:literal) => {
+        [
+            include_str!(concat!("../locales/", $folder, "/program.ftl")),
+            include_str!(concat!("../locales/", $folder, "/report.ftl")),
+            include_str!(concat!("../locales/", $folder, "/article.ftl")),
+            include_str!(concat!("../locales/", $folder, "/check.ftl")),
+        ]
+    };
+}
+
+fn sources(language: Language) -> [&'static str; 4] {
     match language {
-        Language::English => include_str!("../locales/en.ftl"),
-        Language::German => include_str!("../locales/de.ftl"),
+        Language::English => locale!("en"),
+        Language::German => locale!("de"),
     }
 }
 

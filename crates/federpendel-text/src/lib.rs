@@ -1,7 +1,7 @@
 //! What a person reads: every sentence, in German and English, from one catalogue; and plots,
 //! described once and drawn by several back ends.
 //!
-//! A sentence is added to `locales/en.ftl` and `locales/de.ftl` under the same id, in the syntax of
+//! A sentence is added to a file of `locales/en` and of `locales/de` under the same id, in the syntax of
 //! [Project Fluent](https://projectfluent.org), and fetched by that id:
 //!
 //! ```

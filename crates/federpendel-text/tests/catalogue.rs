@@ -12,17 +12,25 @@ use fluent_syntax::parser;
 /// Texts by id (`id` or `id.attribute`), each with its variables and all its words.
 type Texts = BTreeMap<String, (BTreeSet<String>, String)>;
 
-fn locale(language: Language) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("locales")
-        .join(format!("{}.ftl", language.tag()));
-    fs::read_to_string(path).expect("a locale file")
+/// The files of a language, in the order of their names.
+fn locale(language: Language) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("locales").join(language.tag());
+    let entries = fs::read_dir(folder).expect("a folder of locale files");
+    let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    paths.sort();
+    paths.iter().map(|path| fs::read_to_string(path).expect("a locale file")).collect()
 }
 
 fn texts(language: Language) -> Texts {
-    let source = locale(language);
-    let resource = parser::parse(source.as_str()).expect("the locale file has no syntax error");
     let mut texts = Texts::new();
+    for source in locale(language) {
+        read(&source, &mut texts);
+    }
+    texts
+}
+
+fn read(source: &str, texts: &mut Texts) {
+    let resource = parser::parse(source).expect("the locale file has no syntax error");
     for entry in &resource.body {
         let Entry::Message(message) = entry else { continue };
         let parts = message.value.iter().map(|value| (message.id.name.to_owned(), value)).chain(
@@ -37,7 +45,6 @@ fn texts(language: Language) -> Texts {
             assert!(texts.insert(id.clone(), (variables, words)).is_none(), "{id} stands twice");
         }
     }
-    texts
 }
 
 fn walk(pattern: &Pattern<&str>, variables: &mut BTreeSet<String>, words: &mut String) {
@@ -108,7 +115,7 @@ fn german_is_german() {
             assert!(!foreign.contains(&word.to_lowercase().as_str()), "{id}: {word}");
         }
     }
-    assert!(locale(Language::German).contains(['ä', 'ö', 'ü', 'ß']));
+    assert!(locale(Language::German).concat().contains(['ä', 'ö', 'ü', 'ß']));
 }
 
 #[test]
@@ -151,9 +158,9 @@ fn sources() -> Vec<String> {
     sources
 }
 
-/// The literals that `source` hands to `.text(…)` and `.format(…)`.
+/// The literals that `source` hands to `.text(…)`, `.format(…)` and `.say(…)`.
 fn asked(source: &str) -> Vec<String> {
-    [".text(", ".format("]
+    [".text(", ".format(", ".say("]
         .iter()
         .flat_map(|call| source.split(call).skip(1))
         .filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next())

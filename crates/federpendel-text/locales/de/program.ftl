@@ -1,4 +1,4 @@
-# Jeder deutsche Satz von federpendel. en.ftl enthält dieselben Namen mit denselben Variablen.
+# Was das Programm sagt. Der Ordner en enthält dieselben Namen mit denselben Variablen.
 
 ### Begriffe des Fachs
 

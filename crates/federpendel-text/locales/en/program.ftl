@@ -1,4 +1,4 @@
-# Every English sentence of federpendel. de.ftl holds the same ids with the same variables.
+# What the program says. The folder de holds the same ids with the same variables.
 
 ### Terms of the field
 

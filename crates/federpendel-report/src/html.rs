@@ -1,0 +1,1 @@
+//! A [`Document`](crate::Document) as one HTML page that needs nothing else.

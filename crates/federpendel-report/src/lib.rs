@@ -1,0 +1,10 @@
+//! Reports that a person reads: what is said ([`Document`]), and the page it is written on ([`html`]).
+//!
+//! [`article`] is the report on the German article from which federpendel started: its claims, each
+//! checked by computation for one experiment.
+
+pub mod article;
+pub mod document;
+pub mod html;
+
+pub use document::{Block, Claim, Document, Section, Verdict};
