@@ -2,6 +2,12 @@
 //! [`federpendel::article`] holds by equation number: its claims, checked by computation for one experiment.
 
 pub mod check;
+mod figure;
 mod laboratory;
+mod report;
+mod section;
+mod writer;
 
+pub use check::{Check, Checks};
 pub use laboratory::{Case, Laboratory};
+pub use report::{Edition, document, result};

@@ -114,7 +114,7 @@ fn linear_decay(case: &Case) -> Check {
     let Some(points) = turning_points(&case.motion, 3) else { return check };
     let start = case.release().position;
     // With alternating signs, since the last place may lie on either side.
-    let along = |n: usize| if n == 0 { start } else { points[n - 1].position } * if n % 2 == 0 { 1.0 } else { -1.0 };
+    let along = |n: usize| if n == 0 { start } else { points[n - 1].position } * if n.is_multiple_of(2) { 1.0 } else { -1.0 };
     let loss = |n: usize| (along(n) - along(n + 1)) * start.signum();
     check
         .computed("|x₀| − |x₁|", loss(0), "m")

@@ -9,7 +9,7 @@ mod coulomb_rest;
 mod coulomb_scheme;
 mod coulomb_thrown;
 mod decrement;
-mod measure;
+pub(super) mod measure;
 mod newton;
 mod quotients;
 mod stokes;
@@ -54,27 +54,69 @@ const ROUNDING: f64 = 1e-9;
 /// Two curves whose distance is below this share of the amplitude are one in a drawing: the width of a line.
 pub const LINE_WIDTH: f64 = 5e-3;
 
+/// All checks, by section of the article.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checks {
+    /// Section 1, without friction.
+    pub undamped: Vec<Check>,
+    /// Section 2.1, Stokes friction.
+    pub stokes: Vec<Check>,
+    /// Section 2.2, the scheme.
+    pub quotients: Vec<Check>,
+    /// Section 3.1, the scheme with Coulomb friction.
+    pub coulomb_scheme: Vec<Check>,
+    /// Section 3.2.1, Coulomb friction from rest.
+    pub coulomb_rest: Vec<Check>,
+    /// Section 3.2.2, Coulomb friction with any release.
+    pub coulomb_thrown: Vec<Check>,
+    /// Section 4, Newton friction.
+    pub newton: Vec<Check>,
+    /// What decays tell of the laws.
+    pub decrement: Vec<Check>,
+}
+
+impl Checks {
+    /// Computes them.
+    ///
+    /// # Errors
+    /// What the core refuses.
+    pub fn of(laboratory: &Laboratory) -> Result<Self> {
+        let mut coulomb_rest = coulomb_energy::checks(laboratory)?;
+        coulomb_rest.extend(coulomb_rest::checks(laboratory)?);
+        Ok(Checks {
+            undamped: undamped::checks(laboratory)?,
+            stokes: stokes::checks(laboratory)?,
+            quotients: quotients::checks(laboratory)?,
+            coulomb_scheme: coulomb_scheme::checks(laboratory)?,
+            coulomb_rest,
+            coulomb_thrown: coulomb_thrown::checks(laboratory)?,
+            newton: newton::checks(laboratory)?,
+            decrement: decrement::checks(laboratory)?,
+        })
+    }
+
+    /// All of them in the order of the article.
+    pub fn all(&self) -> impl Iterator<Item = &Check> {
+        let sections = [
+            &self.undamped,
+            &self.stokes,
+            &self.quotients,
+            &self.coulomb_scheme,
+            &self.coulomb_rest,
+            &self.coulomb_thrown,
+            &self.newton,
+            &self.decrement,
+        ];
+        sections.into_iter().flatten()
+    }
+}
+
 /// All checks, in the order of the article.
 ///
 /// # Errors
 /// What the core refuses.
 pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
-    let sections = [
-        undamped::checks,
-        stokes::checks,
-        quotients::checks,
-        coulomb_scheme::checks,
-        coulomb_energy::checks,
-        coulomb_rest::checks,
-        coulomb_thrown::checks,
-        newton::checks,
-        decrement::checks,
-    ];
-    let mut all = Vec::new();
-    for section in sections {
-        all.extend(section(laboratory)?);
-    }
-    Ok(all)
+    Ok(Checks::of(laboratory)?.all().cloned().collect())
 }
 
 impl Check {
