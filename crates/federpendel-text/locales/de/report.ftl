@@ -1,1 +1,26 @@
-# What every report says around its content.
+# Was jeder Bericht um seinen Inhalt herum sagt.
+
+report-contents = Inhalt
+report-skip = Zum Inhalt springen
+report-notice = Hinweis.
+report-figure = Abbildung { $number }
+report-table = Tabelle { $number }
+
+## Eine Behauptung; auf einem Arbeitsblatt trägt man Urteil und Befund selbst ein
+
+report-claim = Behauptung
+report-equation = Gl.
+report-computed = Berechnet
+report-expected = Erwartet
+report-verdict = Urteil
+report-verdict-holds = trifft zu
+report-verdict-fails = trifft nicht zu
+report-verdict-holds-here = trifft hier zu
+report-verdict-not-applicable = nicht anwendbar
+report-finding = Befund
+
+## Der Kopf eines Arbeitsblatts
+
+report-name = Name
+report-class = Klasse
+report-date = Datum

@@ -1,1 +1,26 @@
 # What every report says around its content.
+
+report-contents = Contents
+report-skip = Skip to the content
+report-notice = Note.
+report-figure = Figure { $number }
+report-table = Table { $number }
+
+## A claim; in a worksheet the reader fills in the verdict and the finding
+
+report-claim = Claim
+report-equation = Eq.
+report-computed = Computed
+report-expected = Expected
+report-verdict = Verdict
+report-verdict-holds = holds
+report-verdict-fails = fails
+report-verdict-holds-here = holds here
+report-verdict-not-applicable = not applicable
+report-finding = Finding
+
+## The head of a worksheet
+
+report-name = Name
+report-class = Class
+report-date = Date

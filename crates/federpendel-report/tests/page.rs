@@ -1,0 +1,117 @@
+//! The page says what the document says, and refuses what it cannot set. How it looks, a browser tests.
+
+use federpendel_report::html::{PageError, page};
+use federpendel_report::{Block, Claim, Document, Section, Verdict};
+use federpendel_text::{Catalogue, Language};
+
+fn document(blocks: Vec<Block>) -> Document {
+    let section =
+        Section { id: "only".to_owned(), heading: "Only".to_owned(), blocks, sections: vec![] };
+    Document {
+        title: "a < b: $x_0$".to_owned(),
+        lead: vec![],
+        sections: vec![section],
+        colophon: String::new(),
+    }
+}
+
+fn german(blocks: Vec<Block>) -> Result<String, PageError> {
+    page(&document(blocks), &Catalogue::new(Language::German))
+}
+
+fn paragraph(text: &str) -> Result<String, PageError> {
+    german(vec![Block::Paragraph(text.to_owned())])
+}
+
+fn claim(verdict: Option<Verdict>, finding: Option<&str>) -> Block {
+    Block::Claims(vec![Claim {
+        number: 7,
+        id: "seven".to_owned(),
+        equation: "(68)".to_owned(),
+        claim: "Sieben ist $7$.".to_owned(),
+        computed: vec!["6,9 m".to_owned()],
+        expected: vec!["7,0 m".to_owned()],
+        verdict,
+        finding: finding.map(str::to_owned),
+    }])
+}
+
+#[test]
+fn text_is_escaped_and_formulas_are_set() {
+    let page = paragraph("<script> & $x < 1$").expect("a page");
+    let expected = "<p>&lt;script&gt; &amp; <math><mi>x</mi><mo>&lt;</mo><mn>1</mn></math></p>";
+    assert!(page.contains(expected), "{page}");
+    assert!(!page.contains('$'));
+}
+
+#[test]
+fn the_name_of_the_page_has_no_markup() {
+    assert!(paragraph("").expect("a page").contains("<title>a &lt; b: x0</title>"));
+}
+
+#[test]
+fn a_decimal_comma_stands_within_one_number() {
+    let page =
+        paragraph("$m = 0{,}5$ und $10{,}25\\,\\mathrm{m}$, aber $f(1, 2)$").expect("a page");
+    assert!(page.contains("<mn>0,5</mn>") && page.contains("<mn>10,25</mn>"), "{page}");
+    assert!(page.contains("<mn>1</mn><mo>,</mo><mn>2</mn>"), "{page}");
+}
+
+#[test]
+fn what_is_no_formula_is_refused() {
+    let refused = |result| match result {
+        Err(PageError::Formula { tex, .. }) => tex,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(refused(paragraph("so $\\nothing$")), "\\nothing");
+    assert_eq!(refused(paragraph("so $\\frac{1$")), "\\frac{1");
+    let formula = Block::Formula { number: None, tex: "x_".to_owned() };
+    assert_eq!(refused(german(vec![formula])), "x_");
+    assert!(matches!(paragraph("5 $"), Err(PageError::Dollar(text)) if text == "5 $"));
+}
+
+#[test]
+fn a_verdict_has_its_word_in_either_language() {
+    let words = [
+        (Verdict::Holds, "holds", "trifft zu"),
+        (Verdict::Fails, "fails", "trifft nicht zu"),
+        (Verdict::HoldsHere, "holds here", "trifft hier zu"),
+        (Verdict::NotApplicable, "not applicable", "nicht anwendbar"),
+    ];
+    for (verdict, english, german) in words {
+        for (language, word) in [(Language::English, english), (Language::German, german)] {
+            let document = document(vec![claim(Some(verdict), Some("So."))]);
+            let page = page(&document, &Catalogue::new(language)).expect("a page");
+            assert!(page.contains(&format!("</span> {word}</p>")), "{word}: {page}");
+            assert!(!page.contains("<textarea") && !page.contains("checkbox"));
+        }
+    }
+}
+
+#[test]
+fn a_worksheet_leaves_room_to_write() {
+    let page = german(vec![claim(None, None)]).expect("a page");
+    assert_eq!(page.matches("type=\"checkbox\"").count(), Verdict::ALL.len());
+    assert_eq!(page.matches("<textarea").count(), 1);
+    assert!(page.contains("<dt>Klasse</dt>"));
+}
+
+#[test]
+fn sections_and_figures_are_numbered() {
+    let sketch = |id: &str| Block::Sketch {
+        id: id.to_owned(),
+        svg: "<svg></svg>".to_owned(),
+        caption: String::new(),
+    };
+    let mut document = document(vec![sketch("one")]);
+    let below = Section {
+        id: "below".to_owned(),
+        blocks: vec![sketch("two")],
+        ..document.sections[0].clone()
+    };
+    document.sections[0].sections.push(below);
+    let page = page(&document, &Catalogue::new(Language::German)).expect("a page");
+    assert!(page.contains("<h3><span class=\"number\">1.1</span> Only</h3>"), "{page}");
+    assert!(page.contains("<strong>Abbildung 2</strong>"), "{page}");
+    assert!(page.contains("<a href=\"#below\">"), "{page}");
+}
