@@ -6,5 +6,7 @@
 pub mod article;
 pub mod document;
 pub mod html;
+pub mod plain;
+mod sketch;
 
 pub use document::{Block, Claim, Document, Section, Verdict};

@@ -33,8 +33,6 @@ pub enum Look {
     Corrected,
     /// The article's scheme.
     Scheme,
-    /// Moreau–Jean time stepping.
-    MoreauJean,
 }
 
 impl Look {
@@ -43,7 +41,6 @@ impl Look {
             Look::Printed => 1,
             Look::Corrected => 2,
             Look::Scheme => 0,
-            Look::MoreauJean => 3,
         }
     }
 }

@@ -8,6 +8,7 @@ mod report;
 mod section;
 mod writer;
 
-pub use check::{Check, Checks};
+pub use check::{Check, Checks, Figure};
 pub use laboratory::{Case, Laboratory};
-pub use report::{Edition, document, result};
+pub use report::{Edition, document, picture, result};
+pub use writer::check_claim;

@@ -2,10 +2,11 @@
 
 use federpendel::Result;
 use federpendel_text::Catalogue;
+use federpendel_text::plot::Plot;
 
 use super::check::Check;
 use super::section::{coulomb, experiment, newton, scheme, stokes, undamped, which};
-use super::writer::{Writer, equation};
+use super::writer::Writer;
 use super::{Checks, Laboratory};
 use crate::document::{Block, Document, Verdict};
 
@@ -82,7 +83,7 @@ fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
     let rows = numbered.iter().filter(stands_out).map(|(index, check)| {
         vec![
             (index + 1).to_string(),
-            equation(check),
+            check.place(),
             text(&format!("check-{}", check.id)),
             writer.verdict(check.verdict),
         ]
@@ -92,4 +93,14 @@ fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
         head: ["number", "equation", "claim", "verdict"].map(|head| text(&format!("article-head-{head}"))).to_vec(),
         rows: rows.collect(),
     }
+}
+
+/// The picture that says most: the printed formula for a release from rest with Coulomb friction, beside the motion.
+///
+/// # Errors
+/// What the core refuses.
+pub fn picture(laboratory: &Laboratory, catalogue: &Catalogue) -> Result<Plot> {
+    let writer = Writer::new(catalogue, false);
+    let mut plots = coulomb::plots_from_rest(&writer, &laboratory.coulomb)?;
+    Ok(plots.swap_remove(0))
 }

@@ -67,36 +67,8 @@ impl<'a> Writer<'a> {
     fn claim(&self, check: &Check) -> Claim {
         let number = self.claims.get() + 1;
         self.claims.set(number);
-        let id = format!("check-{}", check.id);
-        let finding = format!("{id}.{}", check.verdict.name());
-        let finding = self.catalogue.contains(&finding).then(|| self.catalogue.text(&finding));
-        let nothing = !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
-        Claim {
-            number,
-            id: check.id.to_owned(),
-            equation: equation(check),
-            claim: self.catalogue.text(&id),
-            computed: check.computed.iter().map(|figure| self.figure(figure, nothing)).collect(),
-            expected: check.expected.iter().map(|figure| self.expected(figure)).collect(),
-            verdict: (!self.blank).then_some(check.verdict),
-            finding: finding.filter(|_| !self.blank),
-        }
-    }
-
-    /// `v_A = 19.749 mm/s`; of what should be zero fewer digits.
-    fn figure(&self, figure: &Figure, nothing: bool) -> String {
-        let digits = if nothing { DIGITS_OF_NOTHING } else { DIGITS };
-        let value = self.catalogue.quantity(figure.value, figure.unit, digits);
-        match figure.time {
-            None => format!("{} = {value}", figure.symbol),
-            Some(time) => format!("{} = {value} (t = {})", figure.symbol, self.catalogue.quantity(time, "s", DIGITS)),
-        }
-    }
-
-    /// As [`Writer::figure`], but a bare number or bound stands for itself.
-    fn expected(&self, figure: &Figure) -> String {
-        let bare = figure.symbol.starts_with(['<', '>']) || figure.symbol.parse::<f64>().is_ok();
-        if bare { figure.symbol.to_owned() } else { self.figure(figure, false) }
+        let claim = check_claim(check, number, self.catalogue);
+        if self.blank { Claim { verdict: None, finding: None, ..claim } } else { claim }
     }
 
     /// A verdict in words.
@@ -105,11 +77,38 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// “(68)”; a section as it is; nothing for the introduction.
-pub fn equation(check: &Check) -> String {
-    match check.equation {
-        "" => String::new(),
-        section if section.starts_with('§') => section.to_owned(),
-        numbers => format!("({numbers})"),
+/// A check in words.
+pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim {
+        let id = format!("check-{}", check.id);
+        let finding = format!("{id}.{}", check.verdict.name());
+        let finding = catalogue.contains(&finding).then(|| catalogue.text(&finding));
+        let nothing = !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
+        Claim {
+            number,
+            id: check.id.to_owned(),
+            equation: check.place(),
+            claim: catalogue.text(&id),
+            computed: check.computed.iter().map(|figure| computed(figure, nothing, catalogue)).collect(),
+            expected: check.expected.iter().map(|figure| expected(figure, catalogue)).collect(),
+            verdict: Some(check.verdict),
+            finding,
+        }
+}
+
+/// `v_A = 19.749 mm/s`; of what should be `nothing` fewer digits.
+fn computed(figure: &Figure, nothing: bool, catalogue: &Catalogue) -> String {
+    let digits = if nothing { DIGITS_OF_NOTHING } else { DIGITS };
+    let value = catalogue.quantity(figure.value, figure.unit, digits);
+    match figure.time {
+        None => format!("{} = {value}", figure.symbol),
+        Some(time) => {
+            format!("{} = {value} (t = {})", figure.symbol, catalogue.quantity(time, "s", DIGITS))
+        }
     }
+}
+
+/// As [`computed`], but a bare number or bound stands for itself.
+fn expected(figure: &Figure, catalogue: &Catalogue) -> String {
+    let bare = figure.symbol.starts_with(['<', '>']) || figure.symbol.parse::<f64>().is_ok();
+    if bare { figure.symbol.to_owned() } else { computed(figure, false, catalogue) }
 }

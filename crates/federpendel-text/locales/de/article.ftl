@@ -20,7 +20,9 @@ article-head-verdict = Urteil
 
 article-experiment = Der Versuch
 article-experiment-text = Eine Masse $m$ an einer Feder mit der Federkonstante $C$ wird bei $x_0$ mit der Geschwindigkeit $v_0$ losgelassen. Auslenkungen zählen von der Lage aus, in der die Feder entspannt ist, bei einer hängenden Masse von ihrer Ruhelage aus.
-article-experiment-sketch = Die Masse bei positiver Auslenkung auf dem Rückweg: Die Feder zieht sie zur Mitte, die Reibung wirkt der Geschwindigkeit entgegen. Trockene Reibung ist dort eingezeichnet, wo sie wirkt, an der Berührfläche mit der Führung.
+article-sketch-none = Die Masse und die Kraft der Feder, ohne Reibung.
+article-sketch-stokes = Die Masse in einem zähen Fluid: Die Feder zieht sie zur Mitte, die Reibung wirkt der Geschwindigkeit entgegen.
+article-sketch-coulomb = Die Masse auf ihrer Führung, auf dem Rückweg zur Mitte. Trockene Reibung ist dort eingezeichnet, wo sie wirkt, an der Berührfläche mit der Führung, dazu die Gewichtskraft und die Kraft, mit der die Führung antwortet.
 article-experiment-motion = Die Bewegung dieses Versuchs, mit allen seinen Arten von Reibung zugleich ({ $mix }).
 article-quantities = Größen dieses Berichts
 article-head-quantity = Größe

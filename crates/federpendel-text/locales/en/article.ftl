@@ -20,7 +20,9 @@ article-head-verdict = Verdict
 
 article-experiment = The experiment
 article-experiment-text = A mass $m$ on a spring of stiffness $C$ is released at $x_0$ with the velocity $v_0$. Displacements count from where the spring is relaxed; of a mass that hangs, from where it hangs at rest.
-article-experiment-sketch = The mass at a positive displacement, on its way back: the spring pulls it to the middle, friction acts against the velocity. Dry friction is drawn where it acts, at the contact with the guide.
+article-sketch-none = The mass and the force of the spring, without friction.
+article-sketch-stokes = The mass in a viscous fluid: the spring pulls it to the middle, friction acts against the velocity.
+article-sketch-coulomb = The mass on its guide, on its way back to the middle. Dry friction is drawn where it acts, at the contact with the guide, with the weight and the force that the guide answers with.
 article-experiment-motion = The motion of this experiment, with all its laws of friction at once ({ $mix }).
 article-quantities = Quantities of this report
 article-head-quantity = Quantity

@@ -120,6 +120,15 @@ pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
 }
 
 impl Check {
+    /// Where it stands in the article: “(68)”, “§2.1”; nothing for the introduction.
+    pub fn place(&self) -> String {
+        match self.equation {
+            "" => String::new(),
+            section if section.starts_with('§') => section.to_owned(),
+            numbers => format!("({numbers})"),
+        }
+    }
+
     fn new(id: &'static str, equation: &'static str) -> Self {
         let (computed, expected) = (Vec::new(), Vec::new());
         Check { id, equation, computed, expected, verdict: Verdict::NotApplicable }

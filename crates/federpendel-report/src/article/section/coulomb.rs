@@ -3,18 +3,20 @@
 use federpendel::article::{Reading, eq_61, eq_69, eq_78, eq_79};
 use federpendel::scheme::Setting;
 use federpendel::{Result, State};
+use federpendel_text::plot::Plot;
 
-use super::numbered;
+use super::{forces, numbered};
 use crate::article::check::measure::turning_points;
 use crate::article::figure::{self, Look};
 use crate::article::writer::Writer;
 use crate::article::{Case, Checks, Laboratory};
 use crate::document::{Block, Section};
-use crate::sketch;
+use crate::sketch::{self, Law};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let blocks = vec![
         writer.say("article-coulomb-text"),
+        forces(writer, &laboratory.coulomb, Law::Coulomb, "sketch-coulomb"),
         numbered("57", r"\ddot{x} + \frac{C}{m} x = -\operatorname{sign}(\dot{x})\, \mu g"),
     ];
     let sections = vec![
@@ -87,22 +89,30 @@ fn energy_sketch(writer: &Writer<'_>, case: &Case) -> Option<Block> {
     let start = case.release().position;
     let force = oscillator.offset() * oscillator.stiffness();
     let work = force * (turn.position - start).abs();
-    let numbers = sketch::EnergyNumbers {
-        start: writer.catalogue.quantity(start, "m", 4),
-        turn: writer.catalogue.quantity(turn.position, "m", 4),
-        half_period: writer.catalogue.quantity(turn.time, "s", 4),
+    let numbers = sketch::Given {
+        start: writer.catalogue.quantity(start.abs(), "m", 4),
+        turn: writer.catalogue.quantity(turn.position.abs(), "m", 4),
         start_energy: energy(start),
         turn_energy: energy(turn.position),
         work: writer.catalogue.quantity(work, "J", 4),
     };
     Some(Block::Sketch {
         id: "sketch-energy".to_owned(),
-        svg: sketch::energy(writer.catalogue, &numbers),
+        svg: sketch::loss("sketch-energy", &numbers, writer.catalogue),
         caption: writer.catalogue.text("article-coulomb-energy-sketch"),
     })
 }
 
 fn graph_from_rest(writer: &Writer<'_>, case: &Case) -> Result<Block> {
+    Ok(Block::Figure {
+        id: "figure-coulomb".to_owned(),
+        plots: plots_from_rest(writer, case)?,
+        caption: writer.catalogue.text("article-coulomb-figure"),
+    })
+}
+
+/// Release from rest: the motion, both readings of the formula, and the scheme; and their errors.
+pub fn plots_from_rest(writer: &Writer<'_>, case: &Case) -> Result<Vec<Plot>> {
     let times = figure::times(case)?;
     let (oscillator, from) = (case.oscillator(), case.release().position);
     let name = |id: &str| writer.catalogue.text(id);
@@ -113,11 +123,7 @@ fn graph_from_rest(writer: &Writer<'_>, case: &Case) -> Result<Block> {
         figure::formula(name("article-name-61"), Look::Corrected, &corrected, &times),
     ];
     curves.extend(figure::scheme(name("article-name-59"), case, &times));
-    Ok(Block::Figure {
-        id: "figure-coulomb".to_owned(),
-        plots: figure::beside(writer, case, &curves)?,
-        caption: name("article-coulomb-figure"),
-    })
+    figure::beside(writer, case, &curves)
 }
 
 fn thrown(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {

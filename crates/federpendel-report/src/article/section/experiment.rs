@@ -9,16 +9,10 @@ use crate::article::figure;
 use crate::article::writer::Writer;
 use crate::article::{Case, Laboratory};
 use crate::document::{Block, Section};
-use crate::sketch::{self, Law};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> {
     let mut blocks = vec![
         writer.say("article-experiment-text"),
-        Block::Sketch {
-            id: "sketch-forces".to_owned(),
-            svg: sketch::forces(writer.catalogue, Law::Coulomb),
-            caption: writer.catalogue.text("article-experiment-sketch"),
-        },
         table(writer, laboratory),
     ];
     blocks.extend(notices(writer, laboratory));

@@ -30,7 +30,7 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
         writer.say("article-newton-text"),
         Block::Sketch {
             id: "sketch-stream".to_owned(),
-            svg: sketch::stream(writer.catalogue),
+            svg: sketch::stream("sketch-stream", writer.catalogue),
             caption: writer.catalogue.text("article-newton-sketch"),
         },
         numbered("83", r"\ddot{x} + \frac{C}{m} x = -\operatorname{sign}(\dot{x})\, \frac{1}{2m} \rho c_w A \dot{x}^2"),

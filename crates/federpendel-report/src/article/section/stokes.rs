@@ -3,13 +3,14 @@
 use federpendel::article::eq_46;
 use federpendel::scheme::Setting;
 use federpendel::{Friction, Motion, Oscillator, Result, Stokes, even_times};
-use federpendel_text::plot::{Course, CoursesData, Plot, RootsData};
+use federpendel_text::plot::{Course, CoursesData, Plot, Role, RootsData};
 
-use super::numbered;
+use super::{forces, numbered};
 use crate::article::figure::{self, Look};
 use crate::article::writer::Writer;
 use crate::article::{Case, Checks, Laboratory};
 use crate::document::{Block, Section};
+use crate::sketch::Law;
 
 /// γ/ω0 of the motion below critical damping.
 const BELOW: f64 = 0.15;
@@ -55,6 +56,7 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
     );
     let blocks = vec![
         writer.say("article-stokes-text"),
+        forces(writer, case, Law::Stokes, "sketch-stokes"),
         numbered("30", r"\ddot{x} + \frac{D}{m} \dot{x} + \frac{C}{m} x = 0"),
     ];
     Ok(writer.section("stokes", blocks, vec![analytic, numeric]))
@@ -90,10 +92,15 @@ fn regimes(writer: &Writer<'_>, case: &Case) -> Result<Block> {
         curves.push((name, samples.iter().map(|sample| sample.position).collect::<Vec<f64>>()));
     }
     let courses: Vec<_> =
-        curves.iter().map(|(name, positions)| Course { name, times: &times, positions }).collect();
+        curves
+        .iter()
+        .enumerate()
+        .map(|(n, (name, positions))| Course { name, role: Role::Comparison(n), times: &times, positions })
+        .collect();
+    let title = writer.catalogue.text("article-stokes-regimes-figure");
     Ok(Block::Figure {
         id: "figure-regimes".to_owned(),
-        plots: vec![Plot::courses(writer.catalogue, &CoursesData { curves: &courses })],
+        plots: vec![Plot::courses(writer.catalogue, &CoursesData { title: &title, curves: &courses })],
         caption: writer.catalogue.text("article-stokes-regimes-figure"),
     })
 }

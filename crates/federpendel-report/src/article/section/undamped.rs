@@ -3,11 +3,12 @@
 use federpendel::Result;
 use federpendel::article::{ComplexForm, eq_20};
 
-use super::numbered;
+use super::{forces, numbered};
 use crate::article::figure::{self, Look};
 use crate::article::writer::Writer;
 use crate::article::{Checks, Laboratory};
 use crate::document::{Block, Section};
+use crate::sketch::Law;
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let trigonometric = writer.section(
@@ -35,7 +36,12 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
         ],
         vec![],
     );
-    let blocks = vec![writer.say("article-undamped-text"), numbered("3", r"\ddot{x} + \frac{C}{m} x = 0")];
+    let blocks = vec![
+        writer.say("article-undamped-text"),
+        forces(writer, &laboratory.undamped, Law::None, "sketch-undamped"),
+        numbered("2", r"m \ddot{x} = -C x"),
+        numbered("3", r"\ddot{x} + \frac{C}{m} x = 0"),
+    ];
     Ok(writer.section("undamped", blocks, vec![trigonometric, exponential]))
 }
 

@@ -1,7 +1,7 @@
 //! Which friction is it? Three motions, and what tells them apart.
 
 use federpendel::{Motion, Result, State, even_times};
-use federpendel_text::plot::{Course, CoursesData, Losses, LossesData, Plot};
+use federpendel_text::plot::{Course, CoursesData, Losses, LossesData, Plot, Role};
 
 use crate::article::figure::amplitudes;
 use crate::article::writer::Writer;
@@ -10,6 +10,9 @@ use crate::document::{Block, Section};
 
 /// Periods that are shown of the three motions.
 const PERIODS: f64 = 8.0;
+
+/// The laws in the order of this section.
+const ROLES: [Role; 3] = [Role::Coulomb, Role::Stokes, Role::Newton];
 
 /// Samples of a curve.
 const SAMPLES: usize = 801;
@@ -42,14 +45,16 @@ fn motions(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Resul
         let samples = case.motion.samples(&times)?;
         curves.push(samples.iter().map(|sample| sample.position).collect::<Vec<f64>>());
     }
+    let title = writer.catalogue.text("article-which-motions-figure");
     let courses: Vec<_> = names
         .iter()
         .zip(&curves)
-        .map(|(name, positions)| Course { name, times: &times, positions })
+        .zip(ROLES)
+        .map(|((name, positions), role)| Course { name, role, times: &times, positions })
         .collect();
     Ok(Block::Figure {
         id: "figure-which".to_owned(),
-        plots: vec![Plot::courses(writer.catalogue, &CoursesData { curves: &courses })],
+        plots: vec![Plot::courses(writer.catalogue, &CoursesData { title: &title, curves: &courses })],
         caption: writer.catalogue.text("article-which-motions-figure"),
     })
 }
@@ -60,7 +65,13 @@ fn losses(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Block 
         .iter()
         .zip(names)
         .zip(&amplitudes)
-        .map(|((case, name), amplitudes)| Losses { name, oscillator: case.oscillator(), amplitudes })
+        .zip(ROLES)
+        .map(|(((case, name), amplitudes), role)| Losses {
+            name,
+            role,
+            oscillator: case.oscillator(),
+            amplitudes,
+        })
         .collect();
     Block::Figure {
         id: "figure-losses".to_owned(),
