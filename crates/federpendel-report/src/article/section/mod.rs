@@ -20,6 +20,7 @@ fn forces(writer: &Writer<'_>, case: &Case, law: Law, id: &str) -> Block {
         Law::None => "article-sketch-none",
         Law::Stokes => "article-sketch-stokes",
         Law::Coulomb => "article-sketch-coulomb",
+        Law::Newton => "article-sketch-newton",
     };
     Block::Sketch {
         id: id.to_owned(),

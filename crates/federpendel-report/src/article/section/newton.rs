@@ -3,12 +3,12 @@
 use federpendel::Result;
 use federpendel::scheme::Setting;
 
-use super::{numbered, unnumbered};
+use super::{forces, numbered, unnumbered};
 use crate::article::figure;
 use crate::article::writer::Writer;
 use crate::article::{Checks, Laboratory};
 use crate::document::{Block, Section};
-use crate::sketch;
+use crate::sketch::{self, Law};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let case = &laboratory.newton;
@@ -28,6 +28,7 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
     };
     let blocks = vec![
         writer.say("article-newton-text"),
+        forces(writer, case, Law::Newton, "sketch-newton"),
         Block::Sketch {
             id: "sketch-stream".to_owned(),
             svg: sketch::stream("sketch-stream", writer.catalogue),
