@@ -1,5 +1,7 @@
-//! Draws every kind of plot from real computations, to look at: `cargo run --example gallery -- FOLDER`.
+//! Draws every kind of plot from real computations, to look at: `cargo run --example gallery -- FOLDER`, or
+//! only some of them: `… -- FOLDER figures` (or `motions`, or `methods`).
 
+mod figures;
 mod methods;
 mod motions;
 
@@ -8,7 +10,7 @@ use std::path::Path;
 use std::{env, fs};
 
 use federpendel_text::plot::Plot;
-use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
+use federpendel_text::plot::draw::{Background, Size, inline, palette, png, svg, terminal};
 use federpendel_text::{Catalogue, Language};
 
 type Drawn = federpendel::Result<Vec<(String, Plot)>>;
@@ -26,14 +28,45 @@ fn write(folder: &Path, name: &str, plot: &Plot) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A page with every plot in it, light or dark as the reader's screen is.
+fn page(language: Language, plots: &[(String, Plot)]) -> String {
+    let figure = |(name, plot): &(String, Plot)| {
+        let drawing = inline(plot, Size::of(plot), name);
+        format!("<figure>{drawing}<figcaption>{}</figcaption></figure>\n", plot.description)
+    };
+    let figures: String = plots.iter().map(figure).collect();
+    let [light, dark] = [Background::Light, Background::Dark].map(palette);
+    format!(
+        "<!doctype html><html lang=\"{}\"><meta charset=\"utf-8\"><title>federpendel</title>\
+         <meta name=\"viewport\" content=\"width=device-width\"><style>\
+         :root{{color-scheme:light dark;{light}}}\
+         @media screen and (prefers-color-scheme:dark){{:root{{background:#1e1e1e;{dark}}}}}\
+         body{{max-width:50rem;margin:1rem auto;padding:0 1rem;font-family:sans-serif}}\
+         figure{{margin:2rem 0}}svg{{display:block;width:100%}}</style>\n{figures}</html>\n",
+        language.tag(),
+    )
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = env::args().nth(1).ok_or("usage: gallery FOLDER")?;
+    let mut arguments = env::args().skip(1);
+    let folder = arguments.next().ok_or("usage: gallery FOLDER [motions|methods|figures]")?;
     let folder = Path::new(&folder);
+    let part = arguments.next();
+    let parts: [(&str, fn(&Catalogue) -> Drawn); 3] =
+        [("motions", motions::plots), ("methods", methods::plots), ("figures", figures::plots)];
     fs::create_dir_all(folder)?;
     for language in Language::ALL {
         let catalogue = Catalogue::new(language);
-        for (name, plot) in motions::plots(&catalogue)?.iter().chain(&methods::plots(&catalogue)?) {
-            write(folder, name, plot)?;
+        for (name, plots) in parts {
+            if part.as_ref().is_some_and(|part| part != name) {
+                continue;
+            }
+            let plots = plots(&catalogue)?;
+            for (name, plot) in &plots {
+                write(folder, name, plot)?;
+            }
+            let file = format!("{name}-{}.html", language.tag());
+            fs::write(folder.join(file), page(language, &plots))?;
         }
     }
     Ok(())

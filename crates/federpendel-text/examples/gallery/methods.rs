@@ -13,17 +13,17 @@ use super::Drawn;
 use super::motions::{Case, Record, cases, record};
 
 /// A method on its own steps: times, positions, errors.
-struct Followed {
-    name: &'static str,
-    times: Vec<f64>,
-    positions: Vec<f64>,
+pub struct Followed {
+    pub name: &'static str,
+    pub times: Vec<f64>,
+    pub positions: Vec<f64>,
     errors: Vec<f64>,
 }
 
 /// Steps per undamped period in the overlay, coarse enough to show differences, and for the errors.
 const STEPS: [f64; 2] = [24.0, 1000.0];
 
-fn course(record: &Record, scheme: &Scheme, steps: f64) -> Option<Followed> {
+pub fn course(record: &Record, scheme: &Scheme, steps: f64) -> Option<Followed> {
     let period = 2.0 * PI / record.motion.oscillator().angular_frequency();
     let setting = Setting::of(&record.motion).with_time_step(period / steps).ok()?;
     let mut course = Course::new(scheme, &setting).ok()?;

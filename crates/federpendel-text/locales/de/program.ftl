@@ -432,6 +432,27 @@ plot-overlay-title = Bewegung und Verfahren, { $mix }
 plot-overlay-last-swings = Die letzten Halbschwingungen, näher betrachtet
 plot-overlay-last-periods = Die letzten zwei Perioden, näher betrachtet
 plot-overlay-description = { $title }: Auslenkung über { $duration }, dazu der Abschnitt von { $from } bis { $until }, näher betrachtet. Die Masse { $outcome }. Auslenkung am Ende: { $methods }.
+plot-beside-description = { $title }: Auslenkung über { $duration }. Die Masse { $outcome }. Auslenkung am Ende: { $methods }.
+plot-after-rest-title = Nach dem Stillstand, { $mix }
+plot-after-rest-none = In dieser Zeit kommt die Masse nicht zur Ruhe
+plot-after-rest-description = { $title }: Auslenkung von { $from } bis { $until }, so hoch wie der Haftbereich ±{ $offset }. Die Masse ruht ab { $rest }. Auslenkung am Ende: { $methods }.
+plot-courses-description = { $title }: Auslenkung über { $duration }. { $courses }.
+plot-courses-course = { $name }: ab { $start }, zwischen { $lowest } und { $highest }, am Ende { $end }
+plot-losses-title = Abnahme der Amplitude je Halbschwingung
+plot-losses-description = { $title }, über der mittleren Amplitude. { $motions } Die Linien sind das gemittelte Gesetz.
+plot-losses-motion =
+    { $name }: { $swings ->
+        [one] eine Halbschwingung kostet
+       *[other] { $swings } Halbschwingungen kosten
+    } zwischen { $least } und { $most }, bei mittleren Amplituden bis { $largest }; { $formula }.
+plot-real-part = Realteil
+plot-imaginary-part = Imaginärteil
+plot-roots-title = Wurzeln der charakteristischen Gleichung
+plot-roots-path = { $symbol } für γ von 0 bis { $most } ω₀
+plot-roots-marks = Einzelne γ
+plot-roots-own-pair = Dieser Versuch, γ = { $gamma } 1/s: λ = ({ $real } ± { $imaginary } i) 1/s
+plot-roots-own-real = Dieser Versuch, γ = { $gamma } 1/s: λ₁ = { $slow } 1/s, λ₂ = { $fast } 1/s
+plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in der komplexen Ebene, ω₀ = { $omega }. Für γ von 0 bis ω₀ laufen sie als konjugiertes Paar von ±iω₀ auf dem Kreis vom Radius ω₀ nach −ω₀, danach auf der reellen Achse auseinander, bei γ = { $most } ω₀ bis { $slow } und { $fast }. { $own }.
 
 ### Verfahren neben der exakten Bewegung
 

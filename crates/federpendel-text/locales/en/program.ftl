@@ -432,6 +432,27 @@ plot-overlay-title = Motion and methods, { $mix }
 plot-overlay-last-swings = The last swings, seen closer
 plot-overlay-last-periods = The last two periods, seen closer
 plot-overlay-description = { $title }: displacement over { $duration }, and the part from { $from } to { $until } seen closer. The mass { $outcome }. Displacement at the end: { $methods }.
+plot-beside-description = { $title }: displacement over { $duration }. The mass { $outcome }. Displacement at the end: { $methods }.
+plot-after-rest-title = After the rest, { $mix }
+plot-after-rest-none = In this time the mass does not come to rest
+plot-after-rest-description = { $title }: displacement from { $from } to { $until }, as high as the sticking band ±{ $offset }. The mass rests from { $rest } on. Displacement at the end: { $methods }.
+plot-courses-description = { $title }: displacement over { $duration }. { $courses }.
+plot-courses-course = { $name }: from { $start }, between { $lowest } and { $highest }, { $end } at the end
+plot-losses-title = Loss of amplitude per swing
+plot-losses-description = { $title }, against the mean amplitude. { $motions } The lines are the averaged law.
+plot-losses-motion =
+    { $name }: { $swings ->
+        [one] one swing costs
+       *[other] { $swings } swings cost
+    } between { $least } and { $most }, at mean amplitudes up to { $largest }; { $formula }.
+plot-real-part = Real part
+plot-imaginary-part = Imaginary part
+plot-roots-title = Roots of the characteristic equation
+plot-roots-path = { $symbol } for γ from 0 to { $most } ω₀
+plot-roots-marks = Some γ
+plot-roots-own-pair = This experiment, γ = { $gamma } 1/s: λ = ({ $real } ± { $imaginary } i) 1/s
+plot-roots-own-real = This experiment, γ = { $gamma } 1/s: λ₁ = { $slow } 1/s, λ₂ = { $fast } 1/s
+plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in the complex plane, ω₀ = { $omega }. For γ from 0 to ω₀ they run as a conjugate pair from ±iω₀ along the circle of radius ω₀ to −ω₀, then apart on the real axis, at γ = { $most } ω₀ to { $slow } and { $fast }. { $own }.
 
 ### Methods beside the exact motion
 

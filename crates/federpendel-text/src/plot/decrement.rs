@@ -19,7 +19,7 @@ pub struct DecrementData<'a> {
 }
 
 /// A part of the averaged law: what it is called, and the loss at an amplitude.
-struct Part {
+pub(super) struct Part {
     name: String,
     formula: &'static str,
     role: Role,
@@ -36,17 +36,12 @@ impl Plot {
     /// |xₙ| − |xₙ₊₁| of each swing against (|xₙ| + |xₙ₊₁|)/2, with the loss that averaging over a swing
     /// of slow decay gives, ΔA = 2f + (πγ/ω0) A + (4/3) κ A², and its parts.
     pub fn decrement(catalogue: &Catalogue, data: &DecrementData<'_>) -> Self {
-        let swings: Vec<(f64, f64)> = data
-            .amplitudes
-            .windows(2)
-            .map(|pair| (pair[0].abs(), pair[1].abs()))
-            .map(|(from, to)| ((from + to) / 2.0, from - to))
-            .collect();
+        let swings = swings(data.amplitudes);
         let parts = parts(catalogue, data.oscillator);
-        let law = |amplitude: f64| parts.iter().map(|part| (part.loss)(amplitude)).sum::<f64>();
         let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let largest = most(&mut swings.iter().map(|swing| swing.0));
-        let loss = most(&mut swings.iter().map(|swing| swing.1.abs())).max(law(largest));
+        let loss =
+            most(&mut swings.iter().map(|swing| swing.1.abs())).max(loss_of(&parts, largest));
         let amplitude =
             Axis::new(catalogue, &catalogue.text("plot-mean-amplitude"), "A", "m", largest);
         let lost = Axis::new(catalogue, &catalogue.text("plot-loss"), "ΔA", "m", loss);
@@ -68,23 +63,36 @@ impl Plot {
             _ => catalogue.format("plot-decrement-some", &[("stride", stride.into())]),
         };
         plot.add(name, Role::Swings, markers, swings.into_iter().step_by(stride));
-        let curve = |loss: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-            let at = |i: u32| 1.05 * largest * f64::from(i) / f64::from(POINTS - 1);
-            (0..POINTS).map(|i| (at(i), loss(at(i)))).collect()
-        };
         if !parts.is_empty() {
             let name = catalogue.format("plot-decrement-law", &[("formula", formula.into())]);
-            plot.add(name, Role::Exact, Style::WIDE, curve(&law));
+            plot.add(name, Role::Exact, Style::WIDE, law(&parts, largest));
         }
         for part in &parts {
-            plot.add(part.name.clone(), part.role, Style::LONG_DASHED, curve(&part.loss));
+            let curve = law(std::slice::from_ref(part), largest);
+            plot.add(part.name.clone(), part.role, Style::LONG_DASHED, curve);
         }
         plot
     }
 }
 
+/// Mean amplitude and loss of each swing.
+pub(super) fn swings(amplitudes: &[f64]) -> Vec<(f64, f64)> {
+    let pairs = amplitudes.windows(2).map(|pair| (pair[0].abs(), pair[1].abs()));
+    pairs.map(|(from, to)| ((from + to) / 2.0, from - to)).collect()
+}
+
+/// The loss of all parts together, from no amplitude to a little more than the largest.
+pub(super) fn law(parts: &[Part], largest: f64) -> Vec<(f64, f64)> {
+    let at = |i: u32| 1.05 * largest * f64::from(i) / f64::from(POINTS - 1);
+    (0..POINTS).map(|i| (at(i), loss_of(parts, at(i)))).collect()
+}
+
+fn loss_of(parts: &[Part], amplitude: f64) -> f64 {
+    parts.iter().map(|part| (part.loss)(amplitude)).sum()
+}
+
 /// The parts of the averaged law that act.
-fn parts(catalogue: &Catalogue, oscillator: &Oscillator) -> Vec<Part> {
+pub(super) fn parts(catalogue: &Catalogue, oscillator: &Oscillator) -> Vec<Part> {
     let mix = oscillator.friction().mix();
     let name = |id: &str, value: f64, unit: &str| {
         let value = catalogue.quantity(value, unit, DIGITS);
@@ -112,7 +120,7 @@ fn parts(catalogue: &Catalogue, oscillator: &Oscillator) -> Vec<Part> {
     parts
 }
 
-fn formula(parts: &[Part]) -> String {
+pub(super) fn formula(parts: &[Part]) -> String {
     let terms: Vec<_> = parts.iter().map(|part| part.formula).collect();
     format!("ΔA = {}", if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") })
 }

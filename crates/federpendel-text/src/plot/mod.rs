@@ -1,16 +1,21 @@
 //! Plots, described once: what is shown, in which units, and how it is told apart. A description
 //! knows nothing of pixels or terminals; [`draw`] turns it into a picture.
 
+mod after_rest;
 mod axis;
+mod beside;
 mod clip;
 mod convergence;
+mod courses;
 mod decrement;
 pub mod draw;
 mod energy;
 mod errors;
+mod losses;
 mod motion;
 mod overlay;
 mod phase;
+mod roots;
 mod series;
 mod span;
 mod thin;
@@ -19,12 +24,15 @@ mod work;
 
 pub use axis::{Axis, Scale};
 pub use convergence::{ConvergenceData, MethodRungs};
+pub use courses::{Course, CoursesData};
 pub use decrement::DecrementData;
 pub use energy::EnergyData;
 pub use errors::{ErrorsData, MethodErrors};
+pub use losses::{Losses, LossesData};
 pub use motion::MotionData;
 pub use overlay::{MethodCurve, OverlayData};
 pub use phase::PhaseData;
+pub use roots::RootsData;
 pub use series::{Dash, Marker, Role, Series, Style};
 
 use crate::catalogue::Catalogue;
@@ -46,6 +54,8 @@ pub struct Plot {
     pub bands: Vec<Band>,
     /// Short texts within the plot.
     pub notes: Vec<Note>,
+    /// Whether one unit is as long on both axes, so that a circle looks like one.
+    pub equal_scales: bool,
     /// A part of the same plot seen closer, drawn below it; its series are those of the plot.
     pub lens: Option<Box<Plot>>,
     /// The plot in a few sentences: its alternative text.
@@ -77,9 +87,9 @@ pub struct Note {
 impl Plot {
     /// An empty plot.
     pub fn new(catalogue: &Catalogue, title: String, x: Axis, y: Axis) -> Self {
-        let (series, bands, notes, description) = Default::default();
+        let (series, bands, notes, equal_scales, lens, description) = Default::default();
         let language = catalogue.language();
-        Self { title, x, y, series, bands, notes, lens: None, description, language }
+        Self { title, x, y, series, bands, notes, equal_scales, lens, description, language }
     }
 
     /// Adds a series whose points are in SI units.
@@ -148,7 +158,7 @@ impl Plot {
             // Where the curve is so dense that it fills its range, the envelope is seen on its edge.
             (_, Role::Envelope) => 3,
             (_, Role::TurningPoints | Role::Swings) => 4,
-            (_, Role::Release | Role::Rest) => 5,
+            (_, Role::Release | Role::Rest | Role::Experiment) => 5,
         });
         layers
     }

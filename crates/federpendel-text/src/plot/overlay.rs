@@ -68,28 +68,39 @@ impl Plot {
     }
 }
 
-/// All curves over a part of the record.
-fn panel(catalogue: &Catalogue, data: &OverlayData<'_>, title: String, part: (f64, f64)) -> Plot {
-    let (from, until) = part;
+/// All curves over a part of the record, as high as the exact motion there.
+pub(super) fn panel(
+    catalogue: &Catalogue,
+    data: &OverlayData<'_>,
+    title: String,
+    part: (f64, f64),
+) -> Plot {
     let exact = exact(data);
-    let inside = exact.iter().filter(|point| (from..=until).contains(&point.0));
+    let inside = exact.iter().filter(|point| (part.0..=part.1).contains(&point.0));
     let (low, high) = inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
         (low.min(point.1), high.max(point.1))
     });
     let height = low.abs().max(high.abs());
     let height = if height.is_finite() && height > 0.0 { height } else { data.sticking_offset };
-    let duration = data.times.last().copied().unwrap_or(0.0);
-    let time = Axis::new(catalogue, &catalogue.text("plot-time"), "t", "s", duration);
-    let position = Axis::new(catalogue, &catalogue.text("plot-position"), "x", "m", height);
     let room = BEYOND * (high - low);
     let room = if room > 0.0 { room } else { height };
-    let mut plot = Plot::new(
-        catalogue,
-        title,
-        time.within(from, until),
-        position.within(low - room, high + room),
-    );
-    plot.add(motion_name(catalogue, data.kind), Role::Exact, Style::WIDE, exact);
+    let name = catalogue.text("plot-position");
+    let position = Axis::new(catalogue, &name, "x", "m", height).within(low - room, high + room);
+    window(catalogue, data, title, part, position)
+}
+
+/// All curves over a part of the record, as far as this axis shows them.
+pub(super) fn window(
+    catalogue: &Catalogue,
+    data: &OverlayData<'_>,
+    title: String,
+    (from, until): (f64, f64),
+    position: Axis,
+) -> Plot {
+    let duration = data.times.last().copied().unwrap_or(0.0);
+    let time = Axis::new(catalogue, &catalogue.text("plot-time"), "t", "s", duration);
+    let mut plot = Plot::new(catalogue, title, time.within(from, until), position);
+    plot.add(motion_name(catalogue, data.kind), Role::Exact, Style::WIDE, exact(data));
     for method in data.methods {
         let points = method.times.iter().copied().zip(method.positions.iter().copied());
         let (from, until) = (from - (until - from), until + (until - from));
@@ -127,7 +138,7 @@ fn exact(data: &OverlayData<'_>) -> Vec<(f64, f64)> {
 }
 
 /// Time of the rest, if the record holds it.
-fn rest(data: &OverlayData<'_>, duration: f64) -> Option<f64> {
+pub(super) fn rest(data: &OverlayData<'_>, duration: f64) -> Option<f64> {
     match data.outcome {
         Outcome::Rests(rest) if rest.time <= duration => Some(rest.time),
         _ => None,
@@ -151,6 +162,17 @@ fn closer(data: &OverlayData<'_>, duration: f64) -> (f64, f64) {
     }
 }
 
+/// Where the exact motion and every method are at the end of the record.
+pub(super) fn ends(catalogue: &Catalogue, data: &OverlayData<'_>) -> String {
+    let end = |name: String, positions: &[f64]| {
+        let last = catalogue.quantity(positions.last().copied().unwrap_or(0.0), "m", DIGITS);
+        catalogue.format("plot-errors-method", &[("name", name.into()), ("error", last.into())])
+    };
+    let exact = end(motion_name(catalogue, data.kind), data.positions);
+    let methods = data.methods.iter().map(|method| end(method.name.to_owned(), method.positions));
+    std::iter::once(exact).chain(methods).collect::<Vec<_>>().join("; ")
+}
+
 fn description(
     catalogue: &Catalogue,
     data: &OverlayData<'_>,
@@ -158,13 +180,6 @@ fn description(
     (duration, from, until): (f64, f64, f64),
 ) -> String {
     let time = |value: f64| catalogue.quantity(value, "s", DIGITS).into();
-    let end = |name: String, positions: &[f64]| {
-        let last = catalogue.quantity(positions.last().copied().unwrap_or(0.0), "m", DIGITS);
-        catalogue.format("plot-errors-method", &[("name", name.into()), ("error", last.into())])
-    };
-    let exact = end(motion_name(catalogue, data.kind), data.positions);
-    let methods = data.methods.iter().map(|method| end(method.name.to_owned(), method.positions));
-    let all: Vec<_> = std::iter::once(exact).chain(methods).collect();
     catalogue.format(
         "plot-overlay-description",
         &[
@@ -173,7 +188,7 @@ fn description(
             ("from", time(from)),
             ("until", time(until)),
             ("outcome", catalogue.outcome(data.outcome).into()),
-            ("methods", all.join("; ").into()),
+            ("methods", ends(catalogue, data).into()),
         ],
     )
 }

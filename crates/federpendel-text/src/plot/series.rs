@@ -166,6 +166,8 @@ pub enum Role {
     Release,
     /// Where and when the mass comes to rest.
     Rest,
+    /// The user's own experiment among others.
+    Experiment,
     /// Where the mass sticks.
     Sticking,
     /// Kinetic energy.

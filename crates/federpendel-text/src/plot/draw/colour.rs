@@ -1,6 +1,8 @@
 //! Colours by role. They are those of Okabe and Ito, or near them, which people who see fewer colours
 //! tell apart too; dashes and markers say the same once more.
 
+use kuva::render::theme::Theme;
+
 use crate::plot::Role;
 
 /// What a picture is drawn on.
@@ -11,6 +13,30 @@ pub enum Background {
     Light,
     /// Nearly black.
     Dark,
+}
+
+/// Where the colours of a picture come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Palette {
+    /// They are fixed, for this background.
+    Fixed(Background),
+    /// They are custom properties of the page that the picture stands in; it has no background of its own.
+    Page,
+}
+
+/// What has a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Paint {
+    /// A series.
+    Series(Role),
+    /// A band, to be drawn over whatever is behind it.
+    Band,
+    /// Texts.
+    Text,
+    /// Axes and ticks.
+    Axis,
+    /// The lines of the grid.
+    Grid,
 }
 
 /// Colours of what is held beside the exact motion, on light and dark. Far from its blue in lightness too, since
@@ -30,35 +56,92 @@ const COMPARISONS: [(&str, &str); 12] = [
     ("#808080", "#a0a0a0"),
 ];
 
-/// The colour of a role as `#rrggbb`.
-pub(super) fn css(role: Role, background: Background) -> &'static str {
-    let (light, dark) = match role {
-        Role::Exact => ("#0072b2", "#56b4e9"),
-        Role::Envelope => ("#c05200", "#f0a24a"),
-        Role::TurningPoints | Role::Swings => ("#222222", "#f2f2f2"),
-        Role::Release => ("#00664b", "#7be0bd"),
-        Role::Rest => ("#b3006b", "#ff8fd0"),
-        Role::Sticking => ("#b4b4b4", "#70787f"),
-        // Neighbours in a stack of areas differ in lightness.
-        Role::Kinetic => ("#f0e442", "#f0e442"),
-        Role::Potential => ("#56b4e9", "#3d8fc4"),
-        Role::Stokes => ("#00b383", "#2bc397"),
-        Role::Coulomb => ("#d55e00", "#ee7a1e"),
-        Role::Newton => ("#7b3f73", "#c98bc0"),
-        Role::Guide => ("#5a5a5a", "#b4b4b4"),
-        Role::Comparison(n) => COMPARISONS[n % COMPARISONS.len()],
+/// The name of a paint in custom properties, and its colours on light and dark as `#rrggbb`.
+fn look(paint: Paint) -> (String, &'static str, &'static str) {
+    let (name, light, dark) = match paint {
+        Paint::Band => ("band", "#d9d9d9", "#444a50"),
+        Paint::Text => ("text", "#000000", "#e0e0e0"),
+        Paint::Axis => ("axis", "#000000", "#cccccc"),
+        Paint::Grid => ("grid", "#e6e6e6", "#3a3a3a"),
+        Paint::Series(role) => match role {
+            Role::Exact => ("exact", "#0072b2", "#56b4e9"),
+            Role::Envelope => ("envelope", "#c05200", "#f0a24a"),
+            Role::TurningPoints => ("turning-points", "#222222", "#f2f2f2"),
+            Role::Swings => ("swings", "#222222", "#f2f2f2"),
+            Role::Release => ("release", "#00664b", "#7be0bd"),
+            Role::Rest => ("rest", "#b3006b", "#ff8fd0"),
+            Role::Experiment => ("experiment", "#b3006b", "#ff8fd0"),
+            Role::Sticking => ("sticking", "#b4b4b4", "#70787f"),
+            // Neighbours in a stack of areas differ in lightness.
+            Role::Kinetic => ("kinetic", "#f0e442", "#f0e442"),
+            Role::Potential => ("potential", "#56b4e9", "#3d8fc4"),
+            Role::Stokes => ("stokes", "#00b383", "#2bc397"),
+            Role::Coulomb => ("coulomb", "#d55e00", "#ee7a1e"),
+            Role::Newton => ("newton", "#7b3f73", "#c98bc0"),
+            Role::Guide => ("guide", "#5a5a5a", "#b4b4b4"),
+            Role::Comparison(n) => {
+                let n = n % COMPARISONS.len();
+                return (format!("comparison-{n}"), COMPARISONS[n].0, COMPARISONS[n].1);
+            }
+        },
     };
-    match background {
-        Background::Light => light,
-        Background::Dark => dark,
+    (name.to_owned(), light, dark)
+}
+
+/// A colour as CSS has it.
+pub(super) fn css(paint: Paint, palette: Palette) -> String {
+    let (name, light, dark) = look(paint);
+    match palette {
+        Palette::Fixed(Background::Light) => light.to_owned(),
+        Palette::Fixed(Background::Dark) => dark.to_owned(),
+        Palette::Page => format!("var(--plot-{name})"),
     }
 }
 
-/// The colour of bands as `#rrggbb`, to be drawn over whatever is behind them.
-pub(super) fn band(background: Background) -> &'static str {
-    match background {
-        Background::Light => "#d9d9d9",
-        Background::Dark => "#444a50",
+/// The custom properties from which [`inline`](super::inline) takes its colours, as declarations for a rule of
+/// the page's stylesheet: `--plot-exact:#0072b2;…`.
+pub fn palette(background: Background) -> String {
+    use Role::*;
+    let roles = [
+        Exact,
+        Envelope,
+        TurningPoints,
+        Swings,
+        Release,
+        Rest,
+        Experiment,
+        Sticking,
+        Kinetic,
+        Potential,
+        Stokes,
+        Coulomb,
+        Newton,
+        Guide,
+    ];
+    let comparisons = (0..COMPARISONS.len()).map(Comparison);
+    [Paint::Band, Paint::Text, Paint::Axis, Paint::Grid]
+        .into_iter()
+        .chain(roles.into_iter().chain(comparisons).map(Paint::Series))
+        .map(|paint| {
+            let colour = css(paint, Palette::Fixed(background));
+            format!("--plot-{}:{colour};", look(paint).0)
+        })
+        .collect()
+}
+
+/// Colours of axes, texts and the background.
+pub(super) fn theme(palette: Palette) -> Theme {
+    let theme = match palette {
+        Palette::Fixed(Background::Dark) => Theme::dark(),
+        Palette::Fixed(Background::Light) | Palette::Page => Theme::light(),
+    };
+    Theme {
+        axis_color: css(Paint::Axis, palette),
+        tick_color: css(Paint::Axis, palette),
+        grid_color: css(Paint::Grid, palette),
+        text_color: css(Paint::Text, palette),
+        font_family: Some("sans-serif".into()),
+        ..theme
     }
 }
 
@@ -70,7 +153,7 @@ pub(super) fn ansi(role: Role) -> u8 {
         Role::Exact | Role::Potential => 36,
         Role::Envelope | Role::Kinetic => 33,
         Role::TurningPoints | Role::Swings | Role::Guide => 39,
-        Role::Rest | Role::Newton => 35,
+        Role::Rest | Role::Experiment | Role::Newton => 35,
         Role::Release | Role::Stokes => 32,
         Role::Coulomb => 31,
         Role::Sticking => 90,

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use kuva::plot::{BandPlot, LinePlot, ScatterPlot};
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot as Drawn;
-use kuva::render::theme::Theme;
 
-use super::colour::{self, Background};
+use super::colour::{self, Paint, Palette};
 use super::legend::{line_style, marker_shape};
 use super::marks;
 use super::scene::Size;
@@ -38,10 +37,10 @@ impl Frame {
         (point.0 / unit(&self.x), point.1 / unit(&self.y))
     }
 
-    pub fn drawn(&self, series: &Series, size: Size, background: Background) -> Vec<Drawn> {
-        let colour = colour::css(series.role, background);
+    pub fn drawn(&self, series: &Series, size: Size, palette: Palette) -> Vec<Drawn> {
+        let colour = colour::css(Paint::Series(series.role), palette);
         if let Some(lower) = &series.lower {
-            return self.area(series, lower, size, background);
+            return self.area(series, lower, size, palette);
         }
         let width = match series.style {
             Style::Line { width, .. } => width,
@@ -52,7 +51,7 @@ impl Frame {
             let line = |piece: Vec<(f64, f64)>| {
                 LinePlot::new()
                     .with_data(piece.into_iter().map(|point| self.place(point)))
-                    .with_color(colour)
+                    .with_color(colour.clone())
                     .with_stroke_width(LINE_WIDTH * width)
                     .with_line_style(line_style(dash))
                     .into()
@@ -66,7 +65,7 @@ impl Frame {
             let points = marks(series, number, &self.x, &self.y);
             let markers = ScatterPlot::new()
                 .with_data(points.into_iter().map(|point| self.place(point)))
-                .with_color(colour)
+                .with_color(colour.clone())
                 .with_marker(marker_shape(marker))
                 .with_size(if marker == Marker::Diamond { 1.5 * size } else { size });
             drawn.push(markers.into());
@@ -75,29 +74,23 @@ impl Frame {
     }
 
     /// An area, with its upper edge drawn so that it ends where a neighbour of like lightness begins.
-    fn area(
-        &self,
-        series: &Series,
-        lower: &[f64],
-        size: Size,
-        background: Background,
-    ) -> Vec<Drawn> {
+    fn area(&self, series: &Series, lower: &[f64], size: Size, palette: Palette) -> Vec<Drawn> {
         let upper = series.points.iter().map(|point| self.place(*point));
         let (x, y): (Vec<_>, Vec<_>) = upper.clone().unzip();
         let area = BandPlot::new(x, lower.iter().map(|y| y / unit(&self.y)), y)
-            .with_color(colour::css(series.role, background))
+            .with_color(colour::css(Paint::Series(series.role), palette))
             .with_opacity(1.0);
         if extremes(&series.points) > size.width / DENSEST_EDGE {
             return vec![area.into()];
         }
         let edge = LinePlot::new()
             .with_data(upper)
-            .with_color(theme(background).text_color)
+            .with_color(colour::css(Paint::Text, palette))
             .with_stroke_width(0.4 * LINE_WIDTH);
         vec![area.into(), edge.into()]
     }
 
-    pub fn layout(&self, plot: &Plot, size: Size, background: Background) -> Layout {
+    pub fn layout(&self, plot: &Plot, size: Size, palette: Palette) -> Layout {
         let format = |span: Span, most: usize, language| {
             let label = move |value| ticks::label(value * unit(&span), &span, most, language);
             TickFormat::Custom(Arc::new(label))
@@ -109,8 +102,6 @@ impl Frame {
         let mut layout = Layout::new((left, right), (bottom, top))
             .with_width(size.width)
             .with_height(size.height)
-            .with_title(plot.title.clone())
-            .with_title_size(title_size(&plot.title, size.width))
             .with_x_label(plot.x.label.clone())
             .with_subtitle(plot.y.label.clone())
             .with_subtitle_size(LABEL_SIZE)
@@ -121,7 +112,14 @@ impl Frame {
             .with_y_axis_max(top)
             .with_x_tick_format(format(x, most_x, plot.language))
             .with_y_tick_format(format(y, most_y, plot.language))
-            .with_theme(theme(background));
+            .with_theme(colour::theme(palette));
+        if !plot.title.is_empty() {
+            let fits = title_size(&plot.title, size.width);
+            layout = layout.with_title(plot.title.clone()).with_title_size(fits);
+        }
+        if plot.equal_scales {
+            layout = layout.with_equal_aspect();
+        }
         layout = match x.scale {
             Scale::Linear => layout.with_x_tick_step(ticks::step(&x, most_x)),
             Scale::Logarithmic => layout.with_log_x(),
@@ -151,13 +149,4 @@ fn unit(span: &Span) -> f64 {
         Scale::Linear => 1.0,
         Scale::Logarithmic => 10f64.powf(span.low.log10().floor()),
     }
-}
-
-/// Colours of axes, texts and the background.
-pub(super) fn theme(background: Background) -> Theme {
-    let theme = match background {
-        Background::Light => Theme { grid_color: "#e6e6e6".into(), ..Theme::light() },
-        Background::Dark => Theme { grid_color: "#3a3a3a".into(), ..Theme::dark() },
-    };
-    Theme { font_family: Some("sans-serif".into()), ..theme }
 }

@@ -4,11 +4,11 @@ use kuva::plot::LineStyle;
 use kuva::plot::legend::{LegendEntry, LegendShape};
 use kuva::plot::scatter::MarkerShape;
 
-use super::colour::{self, Background};
+use super::colour::{self, Paint, Palette};
 use crate::plot::{Dash, Marker, Plot, Role, Series, Style};
 
 /// The entries of the legend, `room` markers wide.
-pub(super) fn entries(plot: &Plot, room: usize, background: Background) -> Vec<LegendEntry> {
+pub(super) fn entries(plot: &Plot, room: usize, palette: Palette) -> Vec<LegendEntry> {
     let shown = |series: &&Series| !series.name.is_empty() && super::has_room(series, room);
     let series = plot.series.iter().filter(shown).map(|series| {
         let (shape, dasharray) = match series.style {
@@ -22,12 +22,12 @@ pub(super) fn entries(plot: &Plot, room: usize, background: Background) -> Vec<L
                 (LegendShape::Marker(marker_shape(marker)), None)
             }
         };
-        let color = colour::css(series.role, background).to_owned();
+        let color = colour::css(Paint::Series(series.role), palette);
         LegendEntry { label: series.name.clone(), color, shape, dasharray }
     });
     let bands = plot.bands.iter().map(|band| LegendEntry {
         label: band.name.clone(),
-        color: colour::band(background).to_owned(),
+        color: colour::css(Paint::Band, palette),
         shape: LegendShape::Rect,
         dasharray: None,
     });

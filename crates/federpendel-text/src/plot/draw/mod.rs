@@ -4,6 +4,7 @@
 mod areas;
 mod braille;
 mod colour;
+mod compact;
 mod dash;
 mod frame;
 mod key;
@@ -11,8 +12,8 @@ mod legend;
 mod scene;
 mod terminal;
 
-pub use colour::Background;
-pub use scene::{DrawError, Size, png, svg};
+pub use colour::{Background, palette};
+pub use scene::{DrawError, Size, inline, png, svg};
 pub use terminal::terminal;
 
 use super::{Plot, Role, Series, Span, Style};

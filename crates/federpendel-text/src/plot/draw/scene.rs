@@ -8,9 +8,9 @@ use kuva::render::annotations::TextAnnotation;
 use kuva::render::plots::Plot as Drawn;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
-use super::colour::{self, Background};
-use super::frame::{ADVANCE, Frame, LABEL_SIZE, theme};
-use super::{dash, layers, legend};
+use super::colour::{self, Background, Paint, Palette};
+use super::frame::{ADVANCE, Frame, LABEL_SIZE};
+use super::{compact, dash, layers, legend};
 use crate::plot::Plot;
 
 /// Size of a picture in CSS pixels.
@@ -50,19 +50,50 @@ const LENS_SHARE: f64 = 0.52;
 
 /// `plot` as an SVG document with its title and description for screen readers.
 pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
-    let scene = scene(plot, size, background);
+    let palette = Palette::Fixed(background);
+    let scene = scene(plot, size, palette);
     let (width, height) = (scene.width, scene.height);
-    let drawing = SvgBackend::new().render_scene(&scene);
+    let attributes =
+        format!("xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\"");
+    element(plot, &scene, &attributes, ["title", "description"].map(str::to_owned), palette)
+}
+
+/// `plot` as an SVG element to stand within an HTML page, as wide as there is room for it, up to the width of
+/// `size`. Its colours are the page's custom properties, see [`palette`](super::palette), so that one drawing
+/// serves light, dark and print; its title is for screen readers only, since the page has a caption. `id`
+/// begins the ids in it: letters, digits and hyphens, unlike those of other drawings on the page.
+pub fn inline(plot: &Plot, size: Size, id: &str) -> String {
+    let untitled = Plot { title: String::new(), ..plot.clone() };
+    let mut scene = scene(&untitled, size, Palette::Page);
+    scene.background_color = None;
+    compact::paths(&mut scene);
+    compact::ids(&mut scene, id);
+    let attributes = format!("style=\"max-width:{}px\"", scene.width);
+    let ids = ["title", "description"].map(|part| format!("{id}-{part}"));
+    element(plot, &scene, &attributes, ids, Palette::Page)
+}
+
+/// The SVG element of a scene, with these attributes and the ids of its title and description.
+fn element(
+    plot: &Plot,
+    scene: &Scene,
+    attributes: &str,
+    ids: [String; 2],
+    palette: Palette,
+) -> String {
+    let drawing = SvgBackend::new().render_scene(scene);
     // kuva writes neither a viewBox nor alternative text, so its opening tag is replaced.
     let (_, rest) = drawing.split_once('>').unwrap_or(("", drawing.as_str()));
+    let (width, height) = (scene.width, scene.height);
     let (title, description) = (escape(&plot.title), escape(&plot.description));
+    let [title_id, description_id] = ids;
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"title description\" \
-         lang=\"{}\" font-family=\"sans-serif\" fill=\"{}\">\
-         <title id=\"title\">{title}</title><desc id=\"description\">{description}</desc>{rest}\n",
+        "<svg {attributes} viewBox=\"0 0 {width} {height}\" role=\"img\" \
+         aria-labelledby=\"{title_id} {description_id}\" lang=\"{}\" font-family=\"sans-serif\" \
+         fill=\"{}\"><title id=\"{title_id}\">{title}</title>\
+         <desc id=\"{description_id}\">{description}</desc>{rest}\n",
         plot.language.tag(),
-        theme(background).text_color,
+        colour::css(Paint::Text, palette),
     )
 }
 
@@ -76,17 +107,17 @@ pub fn png(
     background: Background,
     scale: f32,
 ) -> Result<Vec<u8>, DrawError> {
-    let mut scene = scene(plot, size, background);
+    let mut scene = scene(plot, size, Palette::Fixed(background));
     dash::spell_out(&mut scene);
     RasterBackend::new().with_scale(scale).render_scene(&scene).map_err(DrawError)
 }
 
-fn scene(plot: &Plot, size: Size, background: Background) -> Scene {
-    let Some(lens) = &plot.lens else { return panel(plot, size, background, true) };
+fn scene(plot: &Plot, size: Size, palette: Palette) -> Scene {
+    let Some(lens) = &plot.lens else { return panel(plot, size, palette, true) };
     let below = Size { height: LENS_SHARE * size.height, ..size };
     let above = Size { height: size.height - below.height, ..size };
-    let mut scene = panel(plot, above, background, false);
-    let lens = panel(lens, below, background, true);
+    let mut scene = panel(plot, above, palette, false);
+    let lens = panel(lens, below, palette, true);
     scene.height = size.height;
     scene.elements.push(Primitive::GroupStart {
         transform: Some(format!("translate(0,{})", above.height)),
@@ -99,7 +130,7 @@ fn scene(plot: &Plot, size: Size, background: Background) -> Scene {
 }
 
 /// Axes with what is drawn between them.
-fn panel(plot: &Plot, size: Size, background: Background, with_legend: bool) -> Scene {
+fn panel(plot: &Plot, size: Size, palette: Palette, with_legend: bool) -> Scene {
     let frame = Frame { x: plot.x_span(), y: plot.y_span() };
     let room = (size.width / MARKER_ROOM) as usize;
     let bands = plot.bands.iter().map(|band| {
@@ -111,19 +142,19 @@ fn panel(plot: &Plot, size: Size, background: Background, with_legend: bool) -> 
             corners[0].map(|at| at.1),
             corners[1].map(|at| at.1),
         )
-        .with_color(colour::band(background))
+        .with_color(colour::css(Paint::Band, palette))
         .with_opacity(1.0)
         .into()
     });
     let layers = layers(plot, room);
-    let series = layers.iter().flat_map(|series| frame.drawn(series, size, background));
+    let series = layers.iter().flat_map(|series| frame.drawn(series, size, palette));
     let drawn: Vec<Drawn> = bands.chain(series).collect();
-    let mut layout = frame.layout(plot, size, background);
+    let mut layout = frame.layout(plot, size, palette);
     if with_legend {
         layout = layout
             .with_legend_position(LegendPosition::OutsideBottomColumns)
             .with_legend_box(false)
-            .with_legend_entries(legend::entries(plot, room, background));
+            .with_legend_entries(legend::entries(plot, room, palette));
     }
     for note in &plot.notes {
         let (x, y) = frame.place(note.point);
