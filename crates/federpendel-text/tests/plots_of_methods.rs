@@ -172,8 +172,10 @@ fn twelve_methods_are_told_apart_and_listed_whole() {
     }
 }
 
-/// The overlay of x = cos t with a method that is late, and one that runs away.
-fn overlay(language: Language, outcome: &Outcome) -> Plot {
+type Overlaid = fn(&Catalogue, &OverlayData<'_>) -> Plot;
+
+/// x = cos t with a method that is late, and one that runs away, in one of the plots that show such.
+fn overlaid(plot: Overlaid, language: Language, outcome: &Outcome) -> Plot {
     let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.05).collect();
     let exact: Vec<f64> = times.iter().map(|t| 0.1 * t.cos()).collect();
     let late: Vec<f64> = times.iter().map(|t| 0.1 * (t - 0.2).cos()).collect();
@@ -192,7 +194,7 @@ fn overlay(language: Language, outcome: &Outcome) -> Plot {
         sticking_offset: 0.005,
         methods: &[curve("late", &late), curve("wild", &wild)],
     };
-    Plot::overlay(&Catalogue::new(language), &data)
+    plot(&Catalogue::new(language), &data)
 }
 
 #[test]
@@ -201,7 +203,7 @@ fn the_lens_looks_at_the_last_swings() {
     let rest = Rest { time: 6.0 * pi, position: 0.1, swings: 6, margin: 0.5, tie: false };
     for language in Language::ALL {
         for (outcome, from) in [(Outcome::Rests(rest), 4.0 * pi), (Outcome::Swings, 3.0 * pi)] {
-            let plot = overlay(language, &outcome);
+            let plot = overlaid(Plot::overlay, language, &outcome);
             assert_drawn(&plot);
             assert_eq!(names(&plot)[1..], ["late", "wild"]);
             let lens = plot.lens.as_deref().expect("a lens");
@@ -212,5 +214,52 @@ fn the_lens_looks_at_the_last_swings() {
             assert!(terminal(&plot, 80, 24, false).contains(&lens.title));
             assert!(texts(&svg(&plot, Size::of(&plot), Background::Dark)).contains(&lens.title));
         }
+    }
+}
+
+fn rest(time: f64) -> Outcome {
+    Outcome::Rests(Rest { time, position: 0.1, swings: 6, margin: 0.5, tie: false })
+}
+
+#[test]
+fn methods_beside_the_motion_keep_its_height_without_a_lens() {
+    for language in Language::ALL {
+        let beside = overlaid(Plot::beside, language, &Outcome::Swings);
+        assert_drawn(&beside);
+        assert!(beside.lens.is_none());
+        // The same curves within the same limits as in the overlay.
+        let overlay = overlaid(Plot::overlay, language, &Outcome::Swings);
+        assert_eq!((&beside.series, &beside.y), (&overlay.series, &overlay.y));
+        let (low, high) = beside.y.limits.expect("limits");
+        assert!((-20.0..=-10.0).contains(&low) && (10.0..=20.0).contains(&high), "{low} {high}");
+        let end = if language == Language::German { "late 5,813 cm" } else { "late 5.813 cm" };
+        assert!(beside.description.contains(end), "{}", beside.description);
+    }
+}
+
+#[test]
+fn after_the_rest_the_sticking_band_fills_the_plot() {
+    let pi = std::f64::consts::PI;
+    for language in Language::ALL {
+        let plot = overlaid(Plot::after_rest, language, &rest(4.5 * pi));
+        assert_drawn(&plot);
+        // From the last turning point before the rest, on the scale of ±5 mm.
+        let (from, until) = plot.x.limits.expect("limits");
+        assert!((from - 4.0 * pi).abs() < 1e-9 && (until - 20.0).abs() < 1e-9, "{from} {until}");
+        assert_eq!(plot.y.limits, Some((-6.5, 6.5)));
+        assert_eq!((plot.bands[0].low, plot.bands[0].high), (-5.0, 5.0));
+        assert_eq!(names(&plot)[1..], ["late", "wild"]);
+    }
+}
+
+#[test]
+fn a_record_without_a_rest_says_so() {
+    for outcome in [Outcome::Swings, rest(21.0)] {
+        let plot = overlaid(Plot::after_rest, Language::German, &outcome);
+        assert_drawn(&plot);
+        assert_eq!(plot.notes[0].text, "In dieser Zeit kommt die Masse nicht zur Ruhe");
+        assert!(plot.description.contains(&plot.notes[0].text));
+        let (low, high) = plot.y.limits.expect("limits");
+        assert!(low < -10.0 && high > 10.0);
     }
 }

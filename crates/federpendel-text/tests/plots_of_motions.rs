@@ -4,7 +4,9 @@ use federpendel::{
     Coulomb, Friction, Ledger, Motion, Newton, NormalForce, Oscillator, State, Stokes,
 };
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
-use federpendel_text::plot::{DecrementData, EnergyData, PhaseData, Plot, Role};
+use federpendel_text::plot::{
+    Course, CoursesData, DecrementData, EnergyData, Losses, LossesData, PhaseData, Plot, Role,
+};
 use federpendel_text::{Catalogue, Language};
 
 fn all() -> Friction {
@@ -189,4 +191,82 @@ fn without_a_swing_the_plot_says_so() {
         assert!(terminal(&plot, 80, 24, false).contains(why));
         assert!(svg(&plot, Size::default(), Background::Light).contains(why));
     }
+}
+
+#[test]
+fn several_motions_are_told_apart_without_colour() {
+    let times = [0.0, 1.0, 2.0, 3.0];
+    let (swings, creeps) = ([0.1, -0.05, 0.02, -0.01], [0.1, 0.01, 0.001, 1e-9]);
+    let course = |name, role, positions| Course { name, role, times: &times, positions };
+    let curves = [
+        course("Schwingfall", Role::Comparison(0), &swings),
+        course("Kriechfall", Role::Comparison(1), &creeps),
+        course("Coulomb", Role::Coulomb, &swings),
+    ];
+    let data = CoursesData { title: "Drei Fälle?", curves: &curves };
+    let plot = Plot::courses(&Catalogue::new(Language::German), &data);
+    assert_drawn(&plot);
+    for (n, series) in plot.series.iter().enumerate() {
+        let before = &plot.series[..n];
+        assert!(
+            before.iter().all(|other| other.style != series.style && other.role != series.role)
+        );
+    }
+    assert_eq!(
+        plot.description,
+        "„Drei Fälle?“: Auslenkung über 3 s. Schwingfall: ab 10 cm, zwischen −5 cm und 10 cm, am Ende \
+         −1 cm; Kriechfall: ab 10 cm, zwischen 0 m und 10 cm, am Ende 0 m; Coulomb: ab 10 cm, zwischen \
+         −5 cm und 10 cm, am Ende −1 cm."
+    );
+    let none = CoursesData { title: "nichts", curves: &[] };
+    assert_drawn(&Plot::courses(&Catalogue::new(Language::English), &none));
+}
+
+#[test]
+fn losses_of_each_law_have_its_shape() {
+    let stokes = Stokes::new(0.05).expect("a law");
+    let dry = Coulomb::new(0.002, 0.002, NormalForce::Weight(9.81)).expect("a law");
+    let drag = Newton::new(0.235).expect("a law");
+    let named: [(&str, Role, Motion); 3] = [
+        ("S", Role::Stokes, motion(stokes, 0.1)),
+        ("C", Role::Coulomb, motion(dry, 0.1)),
+        ("N", Role::Newton, motion(drag, 0.1)),
+    ];
+    let amplitudes = named.each_ref().map(|(_, _, motion)| -> Vec<f64> {
+        let turns = motion.turning_points().map(|point| point.position).take(60);
+        std::iter::once(motion.release().position).chain(turns).collect()
+    });
+    let losses: Vec<_> = named
+        .iter()
+        .zip(&amplitudes)
+        .map(|((name, role, motion), amplitudes)| Losses {
+            name,
+            role: *role,
+            oscillator: motion.oscillator(),
+            amplitudes,
+        })
+        .collect();
+    for language in Language::ALL {
+        let plot = Plot::losses(&Catalogue::new(language), &LossesData { motions: &losses });
+        assert_drawn(&plot);
+        let names: Vec<_> = plot.series.iter().map(|series| series.name.as_str()).collect();
+        let expected = ["S: ΔA = (πγ/ω₀) A", "", "C: ΔA = 2f", "", "N: ΔA = (4/3) κ A²", ""];
+        assert_eq!(names, expected);
+        // At half the amplitude a half, the whole and a quarter of the loss, of the law and of its swings.
+        for (pair, share) in plot.series.chunks(2).zip([0.5, 1.0, 0.25]) {
+            let [swings, law] = pair else { panic!("{pair:?}") };
+            let (half, whole) = (law.points[50].1, law.points[100].1);
+            assert!((half / whole - share).abs() < 1e-9, "{half} {whole}");
+            for (amplitude, loss) in &swings.points {
+                let after = law.points.partition_point(|point| point.0 < *amplitude);
+                let ((x, low), (next, high)) = (law.points[after - 1], law.points[after]);
+                let expected = low + (high - low) * (amplitude - x) / (next - x);
+                assert!((loss / expected - 1.0).abs() < 0.02, "{amplitude} {loss} {expected}");
+            }
+            assert!(swings.points.len() <= 24);
+        }
+    }
+    let nothing = Plot::losses(&Catalogue::new(Language::German), &LossesData { motions: &[] });
+    assert_drawn(&nothing);
+    assert!(nothing.notes[0].text.contains("weniger als zwei Amplituden"));
 }

@@ -31,7 +31,7 @@ fn write(folder: &Path, name: &str, plot: &Plot) -> Result<(), Box<dyn Error>> {
 /// A page with every plot in it, light or dark as the reader's screen is.
 fn page(language: Language, plots: &[(String, Plot)]) -> String {
     let figure = |(name, plot): &(String, Plot)| {
-        let drawing = inline(plot, Size::of(plot), name);
+        let drawing = inline(plot, Size::figure(plot), name);
         format!("<figure>{drawing}<figcaption>{}</figcaption></figure>\n", plot.description)
     };
     let figures: String = plots.iter().map(figure).collect();
@@ -41,8 +41,8 @@ fn page(language: Language, plots: &[(String, Plot)]) -> String {
          <meta name=\"viewport\" content=\"width=device-width\"><style>\
          :root{{color-scheme:light dark;{light}}}\
          @media screen and (prefers-color-scheme:dark){{:root{{background:#1e1e1e;{dark}}}}}\
-         body{{max-width:50rem;margin:1rem auto;padding:0 1rem;font-family:sans-serif}}\
-         figure{{margin:2rem 0}}svg{{display:block;width:100%}}</style>\n{figures}</html>\n",
+         body{{max-width:50rem;margin:1rem auto;line-height:1.4;padding:0 1rem;font-family:sans-serif}}\
+         figure{{margin:2rem 0}}svg{{display:block;width:100%;margin:auto}}</style>\n{figures}</html>\n",
         language.tag(),
     )
 }

@@ -449,7 +449,8 @@ plot-real-part = Realteil
 plot-imaginary-part = Imaginärteil
 plot-roots-title = Wurzeln der charakteristischen Gleichung
 plot-roots-path = { $symbol } für γ von 0 bis { $most } ω₀
-plot-roots-marks = Einzelne γ
+plot-roots-marks = Markierte γ
+plot-roots-own = Dieser Versuch, γ = { $gamma }
 plot-roots-own-pair = Dieser Versuch, γ = { $gamma } 1/s: λ = ({ $real } ± { $imaginary } i) 1/s
 plot-roots-own-real = Dieser Versuch, γ = { $gamma } 1/s: λ₁ = { $slow } 1/s, λ₂ = { $fast } 1/s
 plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in der komplexen Ebene, ω₀ = { $omega }. Für γ von 0 bis ω₀ laufen sie als konjugiertes Paar von ±iω₀ auf dem Kreis vom Radius ω₀ nach −ω₀, danach auf der reellen Achse auseinander, bei γ = { $most } ω₀ bis { $slow } und { $fast }. { $own }.

@@ -449,7 +449,8 @@ plot-real-part = Real part
 plot-imaginary-part = Imaginary part
 plot-roots-title = Roots of the characteristic equation
 plot-roots-path = { $symbol } for γ from 0 to { $most } ω₀
-plot-roots-marks = Some γ
+plot-roots-marks = Marked γ
+plot-roots-own = This experiment, γ = { $gamma }
 plot-roots-own-pair = This experiment, γ = { $gamma } 1/s: λ = ({ $real } ± { $imaginary } i) 1/s
 plot-roots-own-real = This experiment, γ = { $gamma } 1/s: λ₁ = { $slow } 1/s, λ₂ = { $fast } 1/s
 plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in the complex plane, ω₀ = { $omega }. For γ from 0 to ω₀ they run as a conjugate pair from ±iω₀ along the circle of radius ω₀ to −ω₀, then apart on the real axis, at γ = { $most } ω₀ to { $slow } and { $fast }. { $own }.

@@ -45,7 +45,7 @@ fn without(mut plot: Plot, catalogue: &Catalogue) -> Plot {
     let (x, y) = (plot.x_span(), plot.y_span());
     let text = catalogue.text("plot-after-rest-none");
     plot.description = format!("{}: {text}.", plot.title);
-    plot.notes.push(Note { text, point: (x.at(0.5), y.at(0.94)) });
+    plot.notes.push(Note { text, point: (x.at(0.5), y.at(0.9)) });
     plot
 }
 

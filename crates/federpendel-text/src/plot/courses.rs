@@ -29,6 +29,9 @@ pub struct Course<'a> {
 /// How the lines are broken, in the order of the legend.
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::LongDashed, Dash::Dotted, Dash::Dashed];
 
+/// What is smaller than this, over the largest displacement, is not told from zero.
+const VISIBLE: f64 = 1e-5;
+
 impl Plot {
     /// Several motions x(t), each with a look of its own.
     pub fn courses(catalogue: &Catalogue, data: &CoursesData<'_>) -> Self {
@@ -41,7 +44,7 @@ impl Plot {
         let position = Axis::new(catalogue, &catalogue.text("plot-position"), "x", "m", height);
         let title = data.title.to_owned();
         let mut plot = Plot::new(catalogue, title, time, position.from_zero());
-        plot.description = description(catalogue, data, duration);
+        plot.description = description(catalogue, data, duration, height);
         for (curve, dash) in data.curves.iter().zip(DASHES.into_iter().cycle()) {
             let points = curve.times.iter().copied().zip(curve.positions.iter().copied());
             plot.add(curve.name, curve.role, Style::Line { dash, width: 1.0 }, points);
@@ -50,9 +53,18 @@ impl Plot {
     }
 }
 
-fn description(catalogue: &Catalogue, data: &CoursesData<'_>, duration: f64) -> String {
+fn description(
+    catalogue: &Catalogue,
+    data: &CoursesData<'_>,
+    duration: f64,
+    height: f64,
+) -> String {
     let course = |curve: &Course<'_>| {
-        let length = |x: Option<f64>| catalogue.quantity(x.unwrap_or(0.0), "m", DIGITS).into();
+        let length = |x: Option<f64>| {
+            // What has died away is zero for a reader.
+            let x = x.filter(|x| x.abs() > VISIBLE * height).unwrap_or(0.0);
+            catalogue.quantity(x, "m", DIGITS).into()
+        };
         let positions = || curve.positions.iter().copied();
         let variables = [
             ("name", curve.name.into()),
@@ -65,7 +77,7 @@ fn description(catalogue: &Catalogue, data: &CoursesData<'_>, duration: f64) -> 
     };
     let courses: Vec<_> = data.curves.iter().map(course).collect();
     let variables = [
-        ("title", data.title.into()),
+        ("title", catalogue.quoted(data.title).into()),
         ("duration", catalogue.quantity(duration, "s", DIGITS).into()),
         ("courses", courses.join("; ").into()),
     ];

@@ -56,11 +56,12 @@ impl Plot {
             let swings = swings(motion.amplitudes);
             let stride = swings.len().div_ceil(MOST_MARKERS).max(1);
             let reach = swings.iter().fold(0.0, |most: f64, swing| most.max(swing.0));
-            let style = Style::Markers(marker);
-            plot.add(motion.name, motion.role, style, swings.into_iter().step_by(stride));
             let parts = parts(catalogue, motion.oscillator);
+            let name = format!("{}: {}", motion.name, formula(&parts));
+            let style = Style::Markers(marker);
+            plot.add(name, motion.role, style, swings.into_iter().step_by(stride));
             let style = Style::Line { dash, width: 1.0 };
-            plot.add(formula(&parts), motion.role, style, law(&parts, reach));
+            plot.add("", motion.role, style, law(&parts, reach));
         }
         if largest == 0.0 {
             let text = catalogue.text("plot-decrement-empty");

@@ -19,33 +19,42 @@ pub struct RootsData {
 }
 
 /// Damping rates that are marked, over ω0; the last is where the paths end, unless the experiment's own is larger.
-const MARKED: [f64; 5] = [0.0, 0.5, 1.0, 1.25, 2.0];
+const MARKED: [f64; 5] = [0.0, 0.5, 1.0, 1.5, 2.0];
 
 /// Up to this damping ratio there is room for all marks.
-const ROOM: f64 = 4.0;
+const ROOM: f64 = 2.5;
 
 /// Points on each quarter of the circle.
 const POINTS: u32 = 60;
+
+/// Where the axes end: on the left over the last root, on the right and at the top over ω0.
+const LEFT: f64 = 1.1;
+const RIGHT: f64 = 0.8;
+const TOP: f64 = 1.3;
 
 impl Plot {
     /// The roots λ of λ² + 2γλ + ω0² = 0 as γ grows: a pair on a circle, which meets at −ω0 and parts along the
     /// real axis; and the experiment's own pair.
     pub fn roots(catalogue: &Catalogue, data: &RootsData) -> Self {
-        let ratio = data.gamma / data.omega0;
-        let most = if ratio > 2.0 { 1.1 * ratio } else { 2.0 };
         let axis = |id: &str, symbol| {
             Axis::new(catalogue, &catalogue.text(id), symbol, "1/s", data.omega0)
         };
         let (re, im) = (axis("plot-real-part", "Re λ"), axis("plot-imaginary-part", "Im λ"));
         let mut plot = Plot::new(catalogue, catalogue.text("plot-roots-title"), re, im);
         plot.equal_scales = true;
-        let own = own(catalogue, data);
-        plot.description = description(catalogue, data, most, &own);
-        let Some([_, fast]) = roots(most) else { return plot };
+        plot.description = plot.title.clone();
+        let ratio = data.gamma / data.omega0;
+        let most = if ratio > 2.0 { 1.1 * ratio } else { 2.0 };
+        let (Some(own), Some(ends)) = (roots(ratio), roots(most)) else { return plot };
+        if !(data.omega0 * ends[1].re).is_finite() {
+            return plot;
+        }
+        plot.description = description(catalogue, data, own, (most, ends));
+        let left = LEFT * ends[1].re;
         let scaled = |root: Complex| (data.omega0 * root.re, data.omega0 * root.im);
         let line = |from, to| [from, to].map(|(re, im)| scaled(Complex::new(re, im)));
-        plot.add("", Role::Guide, Style::THIN, line((1.1 * fast.re, 0.0), (0.5, 0.0)));
-        plot.add("", Role::Guide, Style::THIN, line((0.0, -1.3), (0.0, 1.3)));
+        plot.add("", Role::Guide, Style::THIN, line((left, 0.0), (RIGHT, 0.0)));
+        plot.add("", Role::Guide, Style::THIN, line((0.0, -TOP), (0.0, TOP)));
         let looks = [(Role::Exact, Style::SOLID), (Role::Envelope, Style::LONG_DASHED)];
         for (i, (role, style)) in looks.into_iter().enumerate() {
             let name = catalogue.format(
@@ -55,27 +64,36 @@ impl Plot {
             let path = path(most).into_iter().map(|pair| scaled(pair[i]));
             plot.add(name, role, style, path);
         }
-        plot.add_marks(catalogue, data.omega0, most);
+        plot.add_marks(catalogue, data.omega0, most, RIGHT - left);
+        let gamma = catalogue.quantity(data.gamma, "1/s", DIGITS);
+        let name = catalogue.format("plot-roots-own", &[("gamma", gamma.into())]);
         let style = Style::Markers(Marker::Diamond);
-        plot.add(own, Role::Experiment, style, roots(ratio).into_iter().flatten().map(scaled));
+        plot.add(name, Role::Experiment, style, own.map(scaled));
         plot
     }
 
-    /// Marks some damping rates on the paths, with what they are above one root of each pair.
-    fn add_marks(&mut self, catalogue: &Catalogue, omega0: f64, most: f64) {
+    /// Marks some damping rates up to `most` on the paths, with what they are beside one root of each pair, in
+    /// a plot of this width over ω0.
+    fn add_marks(&mut self, catalogue: &Catalogue, omega0: f64, most: f64, width: f64) {
         let marked = MARKED.into_iter().filter(|ratio| most <= ROOM || *ratio == 1.0);
         let mut points = Vec::new();
         for ratio in marked {
             let Some(pair) = roots(ratio) else { continue };
             points.extend(pair.map(|root| (omega0 * root.re, omega0 * root.im)));
-            // The upper one of a conjugate pair, the left one of a real one.
-            let noted = if ratio < 1.0 { pair[0] } else { pair[1] };
             let text = match ratio {
                 0.0 => "γ = 0".to_owned(),
                 1.0 => "γ = ω₀".to_owned(),
                 _ => format!("γ = {} ω₀", catalogue.number(ratio, 3)),
             };
-            self.add_note(text, (omega0 * noted.re, omega0 * (noted.im + 0.1)));
+            // Outside the circle, beside the axis, above the fast root; in shares of the width.
+            let (root, right, up) = match ratio {
+                0.0 => (pair[0], 0.09, 0.01),
+                _ if ratio < 1.0 => (pair[0], -0.1, 0.01),
+                1.0 => (pair[1], -0.09, 0.025),
+                _ => (pair[1], 0.0, 0.025),
+            };
+            let point = (root.re + right * width, root.im + up * width);
+            self.add_note(text, (omega0 * point.0, omega0 * point.1));
         }
         let name = catalogue.text("plot-roots-marks");
         self.add(name, Role::TurningPoints, Style::Markers(Marker::Circle), points);
@@ -96,32 +114,35 @@ fn path(most: f64) -> Vec<[Complex; 2]> {
 }
 
 /// The experiment's own pair in words.
-fn own(catalogue: &Catalogue, data: &RootsData) -> String {
-    let Some(pair) = roots(data.gamma / data.omega0) else { return String::new() };
-    let number = |value: f64| catalogue.number(data.omega0 * value, DIGITS).into();
-    let gamma = ("gamma", catalogue.number(data.gamma, DIGITS).into());
-    let [slow, fast] = pair;
-    if slow.im > 0.0 {
-        let variables = [gamma, ("real", number(slow.re)), ("imaginary", number(slow.im))];
-        catalogue.format("plot-roots-own-pair", &variables)
+fn own_text(catalogue: &Catalogue, data: &RootsData, own: [Complex; 2]) -> String {
+    let number = |value: f64| catalogue.number(value, DIGITS).into();
+    let gamma = ("gamma", number(data.gamma));
+    let [slow, fast] = own.map(|root| number(data.omega0 * root.re));
+    if own[0].im > 0.0 {
+        let imaginary = number(data.omega0 * own[0].im);
+        catalogue.format("plot-roots-own-pair", &[gamma, ("real", slow), ("imaginary", imaginary)])
     } else {
-        let variables = [gamma, ("slow", number(slow.re)), ("fast", number(fast.re))];
-        catalogue.format("plot-roots-own-real", &variables)
+        catalogue.format("plot-roots-own-real", &[gamma, ("slow", slow), ("fast", fast)])
     }
 }
 
-fn description(catalogue: &Catalogue, data: &RootsData, most: f64, own: &str) -> String {
+fn description(
+    catalogue: &Catalogue,
+    data: &RootsData,
+    own: [Complex; 2],
+    (most, ends): (f64, [Complex; 2]),
+) -> String {
     let rate = |value: f64| catalogue.quantity(value, "1/s", DIGITS).into();
-    let end = |i: usize| roots(most).map_or(f64::NAN, |pair| data.omega0 * pair[i].re);
+    let [slow, fast] = ends.map(|root| rate(data.omega0 * root.re));
     catalogue.format(
         "plot-roots-description",
         &[
             ("title", catalogue.text("plot-roots-title").into()),
             ("omega", rate(data.omega0)),
             ("most", catalogue.number(most, 3).into()),
-            ("slow", rate(end(0))),
-            ("fast", rate(end(1))),
-            ("own", own.into()),
+            ("slow", slow),
+            ("fast", fast),
+            ("own", own_text(catalogue, data, own).into()),
         ],
     )
 }

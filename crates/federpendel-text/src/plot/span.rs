@@ -54,6 +54,19 @@ impl Span {
         }
     }
 
+    /// The same span, widened about its middle to this range.
+    fn widened(self, range: f64) -> Self {
+        let room = ((range - (self.high - self.low)) / 2.0).max(0.0);
+        Span { low: self.low - room, high: self.high + room, ..self }
+    }
+
+    /// Both spans with one of them widened, so that a unit is as long along `x`, which is `width` long, as
+    /// along `y`, which is `height` long.
+    pub fn equal(x: Span, y: Span, width: f64, height: f64) -> (Self, Self) {
+        let unit = f64::max((x.high - x.low) / width, (y.high - y.low) / height);
+        (x.widened(unit * width), y.widened(unit * height))
+    }
+
     /// Where `value` lies, 0 at the low end and 1 at the high end; `None` if it cannot be shown.
     pub fn fraction(&self, value: f64) -> Option<f64> {
         let fraction = match self.scale {
@@ -87,6 +100,14 @@ mod tests {
                 assert!(span.low < span.high, "{values:?} {scale:?}");
             }
         }
+    }
+
+    #[test]
+    fn equal_scales_widen_the_span_that_has_room() {
+        let (x, y) = (Span::of([0.0, 10.0], Scale::Linear), Span::of([1.0, 3.0], Scale::Linear));
+        let (wide, high) = Span::equal(x, y, 500.0, 200.0);
+        assert_eq!((wide, high), (x, Span { low: 0.0, high: 4.0, ..y }));
+        assert_eq!(Span::equal(x, y, 500.0, 10.0).0, Span { low: -45.0, high: 55.0, ..x });
     }
 
     #[test]

@@ -61,6 +61,11 @@ impl Canvas {
         }
     }
 
+    /// Whether a character has been put over the cell that holds a dot.
+    pub fn has_sign(&mut self, x: i64, y: i64) -> bool {
+        self.cell(x, y).is_some_and(|cell| cell.above.is_some())
+    }
+
     /// A line between two dots.
     pub fn line(&mut self, from: (i64, i64), to: (i64, i64), dash: Dash, role: Role) {
         let steps = (to.0 - from.0).abs().max((to.1 - from.1).abs());

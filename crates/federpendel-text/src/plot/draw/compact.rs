@@ -32,16 +32,19 @@ pub(super) fn paths(scene: &mut Scene) {
     }
 }
 
-/// Begins the ids of the scene, which kuva makes of its size, with `id`.
+/// Makes the ids of the scene of `id`: those of kuva count all pictures drawn so far, so that the same plot would
+/// be written differently.
 pub(super) fn ids(scene: &mut Scene, id: &str) {
-    const THEIRS: &str = "kuva";
-    for element in &mut scene.elements {
-        if let Primitive::ClipStart { id: clip, .. } = element {
-            *clip = clip.replace(THEIRS, id);
+    let clips = scene.elements.iter_mut().filter_map(|element| match element {
+        Primitive::ClipStart { id, .. } => Some(id),
+        _ => None,
+    });
+    for (number, clip) in clips.enumerate() {
+        let theirs = format!("\"{clip}\"");
+        *clip = format!("{id}-clip-{number}");
+        for definition in &mut scene.defs {
+            *definition = definition.replace(&theirs, &format!("\"{clip}\""));
         }
-    }
-    for definition in &mut scene.defs {
-        *definition = definition.replace(THEIRS, id);
     }
 }
 
@@ -116,5 +119,60 @@ fn short(tenths: i64) -> String {
         (whole, 0) => format!("{sign}{whole}"),
         (0, part) => format!("{sign}.{part}"),
         (whole, part) => format!("{sign}{whole}.{part}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The points of a path written here.
+    fn read(path: &str) -> Vec<Point> {
+        let (start, steps) = path.split_once('l').expect("a line");
+        let numbers = |text: &str| -> Vec<f64> {
+            let spaced = text.replace(['M', 'z'], "").replace('-', " -");
+            spaced.split_whitespace().map(|number| number.parse().expect("a number")).collect()
+        };
+        let mut at = (0.0, 0.0);
+        let all = [numbers(start), numbers(steps)].concat();
+        let go = |step: &[f64]| {
+            at = (at.0 + step[0], at.1 + step[1]);
+            at
+        };
+        all.chunks(2).map(go).collect()
+    }
+
+    #[test]
+    fn a_curve_keeps_its_place_with_few_points() {
+        let points: Vec<Point> = (0..2000)
+            .map(|i| 0.25 * f64::from(i))
+            .map(|x| (60.0 + x, 200.0 - 150.0 * (0.1 * x).cos()))
+            .collect();
+        let kept = simplified(&points);
+        assert!(kept.len() < points.len() / 5, "{}", kept.len());
+        let written = read(&path(&kept));
+        assert!(written.len() <= kept.len());
+        for point in &points {
+            let near = written.windows(2).map(|pair| distance(*point, pair[0], pair[1]));
+            let near = near.fold(f64::INFINITY, f64::min);
+            assert!(near < 0.2, "{point:?} {near}");
+        }
+    }
+
+    #[test]
+    fn ends_corners_and_closed_lines_stay() {
+        let corner = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 5.0)];
+        assert_eq!(simplified(&corner), [(0.0, 0.0), (2.0, 0.0), (2.0, 5.0)]);
+        let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)];
+        assert_eq!(simplified(&square), square);
+        assert_eq!(simplified(&[]), []);
+        assert_eq!(simplified(&corner[..1]), corner[..1]);
+        assert_eq!(path(&[(10.04, 0.5), (10.5, -3.0), (0.0, 2.0)]), "M10 .5l.5-3.5-10.5 5");
+        assert_eq!(
+            outline("M 1.5 2 L 3 4 L 5 6 Z"),
+            Some(vec![(1.5, 2.0), (3.0, 4.0), (5.0, 6.0)])
+        );
+        assert_eq!(outline("M 1 2 A 3 4 5 6 Z"), None);
+        assert_eq!(outline("M 1 2 L 3 Z"), None);
     }
 }

@@ -22,8 +22,14 @@ pub(super) const LABEL_SIZE: u32 = 14;
 pub(super) const ADVANCE: f64 = 0.6;
 /// Where the edge of an area turns more often than once in so many px, it would blacken the area.
 const DENSEST_EDGE: f64 = 10.0;
-/// Most ticks along each axis.
-const MOST_TICKS: (usize, usize) = (9, 8);
+/// Most ticks along the vertical axis.
+const MOST_TICKS: usize = 8;
+/// Room along the horizontal axis for a tick and its label, px.
+const TICK_ROOM: f64 = 80.0;
+/// About how much of the width and of the height lies between the axes.
+const BETWEEN_AXES: (f64, f64) = (0.9, 0.62);
+/// Size of tick labels and of the legend on a page, which narrow screens scale down, px.
+const PAGE_TEXT: u32 = 13;
 
 /// The axes of a picture.
 pub(super) struct Frame {
@@ -32,6 +38,17 @@ pub(super) struct Frame {
 }
 
 impl Frame {
+    /// The axes of a plot drawn in this size.
+    pub fn of(plot: &Plot, size: Size) -> Self {
+        let (x, y) = (plot.x_span(), plot.y_span());
+        if !plot.equal_scales {
+            return Frame { x, y };
+        }
+        let (across, down) = BETWEEN_AXES;
+        let (x, y) = Span::equal(x, y, across * size.width, down * size.height);
+        Frame { x, y }
+    }
+
     /// A point as it is handed to kuva.
     pub fn place(&self, point: (f64, f64)) -> (f64, f64) {
         (point.0 / unit(&self.x), point.1 / unit(&self.y))
@@ -95,7 +112,7 @@ impl Frame {
             let label = move |value| ticks::label(value * unit(&span), &span, most, language);
             TickFormat::Custom(Arc::new(label))
         };
-        let (most_x, most_y) = MOST_TICKS;
+        let (most_x, most_y) = ((size.width / TICK_ROOM).clamp(2.0, 9.0) as usize, MOST_TICKS);
         let (x, y) = (self.x, self.y);
         let ((left, bottom), (right, top)) =
             (self.place((x.low, y.low)), self.place((x.high, y.high)));
@@ -116,6 +133,9 @@ impl Frame {
         if !plot.title.is_empty() {
             let fits = title_size(&plot.title, size.width);
             layout = layout.with_title(plot.title.clone()).with_title_size(fits);
+        }
+        if palette == Palette::Page {
+            layout = layout.with_tick_size(PAGE_TEXT).with_body_size(PAGE_TEXT);
         }
         if plot.equal_scales {
             layout = layout.with_equal_aspect();

@@ -25,8 +25,17 @@ pub struct Size {
 impl Size {
     /// A size that suits `plot`: one with a lens needs more height.
     pub fn of(plot: &Plot) -> Self {
-        let size = Size::default();
-        Size { height: if plot.lens.is_some() { 1.6 * size.height } else { size.height }, ..size }
+        Size::default().with_lens_of(plot)
+    }
+
+    /// A size that suits `plot` as a figure on a page: smaller, so that its texts are still read where a
+    /// narrow screen scales it down.
+    pub fn figure(plot: &Plot) -> Self {
+        Size { width: 560.0, height: 380.0 }.with_lens_of(plot)
+    }
+
+    fn with_lens_of(self, plot: &Plot) -> Self {
+        Size { height: if plot.lens.is_some() { 1.6 * self.height } else { self.height }, ..self }
     }
 }
 
@@ -45,6 +54,8 @@ pub struct DrawError(String);
 const MARKER_ROOM: f64 = 9.0;
 /// Where the name of the vertical axis begins, px.
 const LABEL_LEFT: f64 = 12.0;
+/// Up to how many times its size a drawing on a page is enlarged.
+const ENLARGED: f64 = 1.3;
 /// Share of the height that a lens takes, which carries the legend too.
 const LENS_SHARE: f64 = 0.52;
 
@@ -58,8 +69,8 @@ pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
     element(plot, &scene, &attributes, ["title", "description"].map(str::to_owned), palette)
 }
 
-/// `plot` as an SVG element to stand within an HTML page, as wide as there is room for it, up to the width of
-/// `size`. Its colours are the page's custom properties, see [`palette`](super::palette), so that one drawing
+/// `plot` as an SVG element to stand within an HTML page, as wide as there is room for it, up to somewhat more
+/// than `size`; [`Size::figure`] suits. Its colours are the page's custom properties, see [`palette`](super::palette), so that one drawing
 /// serves light, dark and print; its title is for screen readers only, since the page has a caption. `id`
 /// begins the ids in it: letters, digits and hyphens, unlike those of other drawings on the page.
 pub fn inline(plot: &Plot, size: Size, id: &str) -> String {
@@ -68,7 +79,7 @@ pub fn inline(plot: &Plot, size: Size, id: &str) -> String {
     scene.background_color = None;
     compact::paths(&mut scene);
     compact::ids(&mut scene, id);
-    let attributes = format!("style=\"max-width:{}px\"", scene.width);
+    let attributes = format!("style=\"max-width:{}px\"", (ENLARGED * scene.width).round());
     let ids = ["title", "description"].map(|part| format!("{id}-{part}"));
     element(plot, &scene, &attributes, ids, Palette::Page)
 }
@@ -125,13 +136,14 @@ fn scene(plot: &Plot, size: Size, palette: Palette) -> Scene {
         extra_attrs: None,
     });
     scene.elements.extend(lens.elements);
+    scene.defs.extend(lens.defs);
     scene.elements.push(Primitive::GroupEnd);
     scene
 }
 
 /// Axes with what is drawn between them.
 fn panel(plot: &Plot, size: Size, palette: Palette, with_legend: bool) -> Scene {
-    let frame = Frame { x: plot.x_span(), y: plot.y_span() };
+    let frame = Frame::of(plot, size);
     let room = (size.width / MARKER_ROOM) as usize;
     let bands = plot.bands.iter().map(|band| {
         let height = |value: f64| value.clamp(frame.y.low, frame.y.high);

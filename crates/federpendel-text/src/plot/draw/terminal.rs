@@ -26,9 +26,13 @@ pub fn terminal(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Strin
 
 /// Title and axes with what is drawn between them.
 fn panel(plot: &Plot, columns: usize, rows: usize, colour: bool) -> Vec<String> {
-    let (x, y) = (plot.x_span(), plot.y_span());
+    let (mut x, mut y) = (plot.x_span(), plot.y_span());
     // Title, name of y, axis, tick labels, name of x and the legend stand around the canvas.
     let height = (rows - 6).max(4);
+    if plot.equal_scales {
+        // Dots are about square, two by four in a cell.
+        (x, y) = Span::equal(x, y, 2.0 * (columns - 4) as f64, 4.0 * height as f64);
+    }
     let y_ticks = ticks(&y, (height / 3).clamp(2, 9), plot.language);
     let margin = y_ticks.iter().map(|tick| width(&tick.label)).max().unwrap_or(0) + 2;
     let mut canvas = Canvas::new(columns.saturating_sub(margin).max(8), height);
@@ -83,10 +87,14 @@ fn draw(plot: &Plot, canvas: &mut Canvas, x: &Span, y: &Span, room: usize) {
     }
 }
 
-/// A text about a dot, but not beyond the canvas.
+/// A text about a dot, but not beyond the canvas; a row higher where it would cover markers.
 fn draw_note(canvas: &mut Canvas, text: &str, (right, down): (i64, i64)) {
     let length = 2 * width(text) as i64;
     let start = (right - length / 2).min(canvas.width() - length).max(0);
+    let free = |down: &i64| {
+        *down >= 0 && !(start..start + length).any(|right| canvas.has_sign(right, *down))
+    };
+    let down = [down, down - 4].into_iter().find(free).unwrap_or(down);
     for (at, sign) in (start..).step_by(2).zip(text.chars()) {
         canvas.put(at, down, sign, Role::Guide);
     }
