@@ -21,13 +21,7 @@ impl Palettes {
     }
 }
 
-/// How much smaller than alone a plot is drawn, so that its letters are as large as those around it once it is as
-/// wide as the text.
-const SHRINK: f64 = 0.8;
-
 /// `plot` as an SVG element whose ids begin with `id`, since a page has many.
 pub fn plot(plot: &Plot, id: &str) -> Html {
-    let size = Size::of(plot);
-    let size = Size { width: SHRINK * size.width, height: SHRINK * size.height };
-    Value::from_safe_string(inline(plot, size, id))
+    Value::from_safe_string(inline(plot, Size::figure(plot), id))
 }

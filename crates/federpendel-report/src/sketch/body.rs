@@ -48,6 +48,6 @@ pub fn mass(pen: &mut Pen, foot: Point) {
             (x + half, y - height),
             (x + half, y),
         ]);
+        pen.label((x + half - 8.0, y - height + 20.0), Anchor::End, "$m$");
     });
-    pen.label((x + half - 8.0, y - height + 20.0), Anchor::End, "$m$");
 }
