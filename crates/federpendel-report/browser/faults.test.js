@@ -22,6 +22,7 @@ describe('faults', () => {
     headings: ['<h1>a</h1><h3>b</h3>', '<h2>a</h2>', '<h1>a</h1><h1>b</h1>'],
     links: ['<a href="#nowhere">a</a>', '<a href="http://example.org">a</a>', '<p id="a"><p id="a">'],
     drawings: ['<svg role="img"><title>a</title><desc>b</desc></svg>', '<svg role="img" aria-labelledby="a"><title id="a">a</title></svg>'],
+    labels: ['<svg width="100" height="50"><text x="80" y="20">too long</text></svg>'],
     formulas: ['<math><mi style="display:none">x</mi></math>'],
   };
   for (const [name, bodies] of Object.entries(faults)) {

@@ -45,6 +45,15 @@ export function drawings() {
     .map((svg) => svg.outerHTML.slice(0, 90));
 }
 
+// No label sticks out of its drawing.
+export function labels() {
+  const sticksOut = (label) => {
+    const [frame, box] = [label.ownerSVGElement, label].map((it) => it.getBoundingClientRect());
+    return box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1;
+  };
+  return [...document.querySelectorAll('svg text')].filter(sticksOut).map((label) => label.textContent);
+}
+
 // Every part of a formula takes up room, but for those that are room themselves or cannot be seen.
 export function formulas() {
   const unseen = (element) => /^[\s\u2061-\u2064]*$/.test(element.textContent);

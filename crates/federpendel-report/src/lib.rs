@@ -1,4 +1,5 @@
-//! Reports that a person reads: what is said ([`Document`]), and the page it is written on ([`html`]).
+//! Reports that a person reads: what is said ([`Document`]), the page it is written on ([`html`]), and
+//! drawings that may stand in it ([`sketch`]).
 //!
 //! [`article`] is the report on the German article from which federpendel started: its claims, each
 //! checked by computation for one experiment.
@@ -7,6 +8,6 @@ pub mod article;
 pub mod document;
 pub mod html;
 pub mod plain;
-mod sketch;
+pub mod sketch;
 
 pub use document::{Block, Claim, Document, Section, Verdict};

@@ -56,7 +56,7 @@ fn texts(say: &Speaker) -> Section {
             blocks: vec![
                 Block::Formula {
                     number: Some("(17)".to_owned()),
-                    tex: "x(t) = \\mathrm{e}^{-\\gamma t}\\left(x_0 \\cos\\left(\\sqrt{\\omega_0^2 - \\gamma^2}\\,t\\right) + \\frac{v_0 + \\gamma x_0}{\\sqrt{\\omega_0^2 - \\gamma^2}} \\sin\\left(\\sqrt{\\omega_0^2 - \\gamma^2}\\,t\\right)\\right) \\quad \\text{if } \\gamma < \\omega_0".to_owned(),
+                    tex: "x(t) = \\mathrm{e}^{-\\gamma t}\\left(x_0 \\cos\\left(\\sqrt{\\omega_0^2 - \\gamma^2}\\,t\\right) + \\frac{v_0 + \\gamma x_0}{\\sqrt{\\omega_0^2 - \\gamma^2}} \\sin\\left(\\sqrt{\\omega_0^2 - \\gamma^2}\\,t\\right)\\right) \\qquad (\\gamma < \\omega_0)".to_owned(),
                 },
                 table(say),
                 Block::List(vec![

@@ -4,9 +4,10 @@ use federpendel_text::Catalogue;
 use minijinja::Value;
 use serde::Serialize;
 
+use super::PageError;
+use super::drawing::{self, Palettes};
 use super::math::{Html, Typesetter};
 use super::words::{Mark, Words};
-use super::{PageError, drawing};
 use crate::{Block, Claim, Document, Section, Verdict};
 
 /// The whole page.
@@ -14,6 +15,7 @@ use crate::{Block, Claim, Document, Section, Verdict};
 pub struct View {
     language: &'static str,
     style: Html,
+    palettes: Palettes,
     words: Words,
     verdicts: Vec<Mark>,
     /// Whether the reader has something to fill in.
@@ -68,6 +70,7 @@ impl View {
         Ok(Self {
             language: catalogue.language().tag(),
             style: Value::from_safe_string(include_str!("../../templates/style.css").to_owned()),
+            palettes: Palettes::new(),
             words: Words::of(catalogue),
             verdicts: Verdict::ALL.map(|verdict| Mark::of(verdict, catalogue)).into(),
             worksheet: has_blanks(&document.lead) || document.sections.iter().any(is_worksheet),
