@@ -9,7 +9,8 @@ use crate::load;
 use crate::output::{ArticleReport, Format, Targets};
 
 pub(crate) fn run(arguments: &Article, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(&arguments.subject, &arguments.results, &Format::OF_REPORTS, catalogue)?;
+    let targets =
+        Targets::check(&arguments.subject, &arguments.results, &Format::OF_REPORTS, catalogue)?;
     let experiment = load::experiment(&arguments.subject, 0, catalogue)?;
     let refused = |error| Failure::core(catalogue, &error);
     let laboratory = Laboratory::new(
@@ -20,6 +21,7 @@ pub(crate) fn run(arguments: &Article, catalogue: &Catalogue) -> Result<(), Fail
     );
     let laboratory = laboratory.map_err(refused)?;
     let checks = Checks::of(&laboratory).map_err(refused)?;
-    let report = ArticleReport { laboratory: &laboratory, checks: &checks, worksheet: arguments.worksheet };
+    let report =
+        ArticleReport { laboratory: &laboratory, checks: &checks, worksheet: arguments.worksheet };
     report.write(&targets, catalogue)
 }

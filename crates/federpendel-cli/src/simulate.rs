@@ -14,7 +14,8 @@ use crate::record::{Method, Record, TooLong};
 use crate::words::{flag_value, too_long_step};
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
+    let targets =
+        Targets::check(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let time_step = time_step(arguments, catalogue)?;
     let experiment = load::experiment(&arguments.subject, 0, catalogue)?;
     let record = compute(experiment, arguments.method, time_step, catalogue)?;

@@ -54,11 +54,14 @@ const LOWERED: [(char, char); 13] = [
 /// `text` with its formulas in signs.
 pub fn text(text: &str) -> String {
     let pieces = text.split('$').enumerate();
-    pieces.map(|(place, piece)| if place % 2 == 0 { piece.to_owned() } else { formula(piece) }).collect()
+    pieces
+        .map(|(place, piece)| if place % 2 == 0 { piece.to_owned() } else { formula(piece) })
+        .collect()
 }
 
 fn formula(tex: &str) -> String {
-    let mut plain = SIGNS.iter().fold(tex.to_owned(), |plain, (command, sign)| plain.replace(command, sign));
+    let mut plain =
+        SIGNS.iter().fold(tex.to_owned(), |plain, (command, sign)| plain.replace(command, sign));
     for (sign, lowered) in LOWERED {
         plain = plain.replace(&format!("_{sign}"), &lowered.to_string());
     }
@@ -71,7 +74,10 @@ mod tests {
 
     #[test]
     fn formulas_become_signs() {
-        assert_eq!(text(r"the offset $f$, $|x_0| - v_A t$ and $\omega_0$"), "the offset f, |x₀| − v_A t and ω₀");
+        assert_eq!(
+            text(r"the offset $f$, $|x_0| - v_A t$ and $\omega_0$"),
+            "the offset f, |x₀| − v_A t and ω₀"
+        );
         assert_eq!(text(r"$\ddot x = -\omega_0^2 x$"), "ẍ = −ω₀² x");
     }
 }

@@ -51,7 +51,11 @@ impl ArticleReport<'_> {
     }
 
     /// The files that are asked for; a worksheet has its solutions beside it.
-    fn files(&self, targets: &Targets, catalogue: &Catalogue) -> Result<Vec<(PathBuf, Form)>, Failure> {
+    fn files(
+        &self,
+        targets: &Targets,
+        catalogue: &Catalogue,
+    ) -> Result<Vec<(PathBuf, Form)>, Failure> {
         let mut files = Vec::new();
         for (path, format) in &targets.files {
             match format {
@@ -59,7 +63,9 @@ impl ArticleReport<'_> {
                     let solutions = beside(path, &catalogue.text("article-solutions-file"));
                     if targets.files.iter().any(|(path, _)| *path == solutions) {
                         let name = solutions.display().to_string();
-                        return Err(Failure::Input(catalogue.format("cli-output-twice", &[("name", name.into())])));
+                        return Err(Failure::Input(
+                            catalogue.format("cli-output-twice", &[("name", name.into())]),
+                        ));
                     }
                     files.push((path.clone(), Form::Page(Edition::Worksheet)));
                     files.push((solutions, Form::Page(Edition::Solutions)));

@@ -57,7 +57,11 @@ pub fn formula(name: String, look: Look, formula: &Formula, times: &[f64]) -> Cu
 
 /// Any function of time at `times`.
 pub fn curve(name: String, look: Look, times: &[f64], value: impl Fn(f64) -> f64) -> Curve {
-    Curve { name, number: look.number(), positions: times.iter().map(|time| value(*time)).collect() }
+    Curve {
+        name,
+        number: look.number(),
+        positions: times.iter().map(|time| value(*time)).collect(),
+    }
 }
 
 /// The article's scheme at `times`; none where it runs away.
@@ -71,20 +75,38 @@ pub fn scheme(name: String, case: &Case, times: &[f64]) -> Option<Curve> {
 /// The motion with curves over it, and their distances from it below.
 pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<Plot>> {
     let times = times(case)?;
-    let positions: Vec<f64> = case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
-    let turning_points: Vec<_> = case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration).collect();
+    let positions: Vec<f64> =
+        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
+    let turning_points: Vec<_> = case
+        .motion
+        .turning_points()
+        .take(PLOTTED)
+        .take_while(|point| point.time <= case.duration)
+        .collect();
     let methods: Vec<_> = curves
         .iter()
-        .map(|curve| MethodCurve { name: &curve.name, number: curve.number, times: &times, positions: &curve.positions })
+        .map(|curve| MethodCurve {
+            name: &curve.name,
+            number: curve.number,
+            times: &times,
+            positions: &curve.positions,
+        })
         .collect();
     let errors: Vec<Vec<f64>> = curves
         .iter()
-        .map(|curve| curve.positions.iter().zip(&positions).map(|(curve, exact)| curve - exact).collect())
+        .map(|curve| {
+            curve.positions.iter().zip(&positions).map(|(curve, exact)| curve - exact).collect()
+        })
         .collect();
     let distances: Vec<_> = curves
         .iter()
         .zip(&errors)
-        .map(|(curve, errors)| MethodErrors { name: &curve.name, number: curve.number, times: &times, errors })
+        .map(|(curve, errors)| MethodErrors {
+            name: &curve.name,
+            number: curve.number,
+            times: &times,
+            errors,
+        })
         .collect();
     let oscillator = case.oscillator();
     let mix = oscillator.friction().mix();
@@ -109,8 +131,14 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
 /// The motion by itself, between its envelopes.
 pub fn motion(writer: &Writer<'_>, case: &Case) -> Result<Plot> {
     let times = times(case)?;
-    let positions: Vec<f64> = case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
-    let turning_points: Vec<_> = case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration).collect();
+    let positions: Vec<f64> =
+        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
+    let turning_points: Vec<_> = case
+        .motion
+        .turning_points()
+        .take(PLOTTED)
+        .take_while(|point| point.time <= case.duration)
+        .collect();
     let oscillator = case.oscillator();
     Ok(Plot::motion(
         writer.catalogue,
@@ -137,6 +165,7 @@ pub fn decrement(writer: &Writer<'_>, case: &Case) -> Plot {
 /// Displacements at the turning points within the record, the release first if it is one, m.
 pub fn amplitudes(case: &Case) -> Vec<f64> {
     let release = (case.release().velocity == 0.0).then_some(case.release().position);
-    let points = case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration);
+    let points =
+        case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration);
     release.into_iter().chain(points.map(|point| point.position)).collect()
 }

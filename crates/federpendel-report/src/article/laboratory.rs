@@ -21,6 +21,13 @@ const DRAG_SHARE: f64 = 0.047;
 /// A built-in coefficient serves where its share is at most this: then a mass swings, and more than once.
 const LARGEST_SHARE: f64 = 0.25;
 
+/// Of a law that has less than this part of the usual share nothing would be seen.
+const FAINT: f64 = 1e-3;
+
+/// A release is from rest, or from the middle, where the other of x0 and v0/ω0 is less than this part of the
+/// amplitude.
+const SLIGHT: f64 = 1e-3;
+
 /// Where a mass is released that the experiment leaves in the middle at rest, m.
 const POSITION: f64 = 0.1;
 
@@ -31,7 +38,8 @@ pub struct Case {
     pub motion: Motion,
     /// Length of the record that shows it, s.
     pub duration: f64,
-    /// Whether the coefficient of friction is built in, because the experiment lacks this law.
+    /// Whether the coefficient of friction is built in, because the experiment lacks this law or has hardly any of
+    /// it.
     pub built_in: bool,
 }
 
@@ -104,7 +112,6 @@ impl Laboratory {
         let bench = Bench::new(oscillator, normal_force, release)?;
         let from_rest = State { position: bench.position, velocity: 0.0 };
         let velocity = bench.velocity.abs();
-        let own_release = State { position: bench.position, velocity: bench.own_velocity };
         let general = State { velocity: bench.velocity, ..from_rest };
         let thrown = |velocity| {
             let (law, built_in) = bench.coulomb()?;
@@ -115,14 +122,14 @@ impl Laboratory {
         let (newton, without_newton) = bench.newton()?;
         let sign = from_rest.position.signum();
         Ok(Laboratory {
-            own: Case::new(oscillator, own_release, false, duration)?,
+            own: Case::new(oscillator, bench.release, false, duration)?,
             undamped: Case::new(bench.with(Friction::NONE)?, general, false, None)?,
-            stokes: Case::new(bench.with(stokes)?, own_release, without_stokes, None)?,
+            stokes: Case::new(bench.with(stokes)?, bench.release, without_stokes, None)?,
             coulomb: Case::new(bench.with(coulomb)?, from_rest, without_coulomb, None)?,
             thrown: [thrown(-sign * velocity)?, thrown(sign * velocity)?],
-            newton: Case::new(bench.with(newton)?, own_release, without_newton, None)?,
+            newton: Case::new(bench.with(newton)?, bench.release, without_newton, None)?,
             built_in_release: bench.built_in_release,
-            added_velocity: bench.own_velocity == 0.0,
+            added_velocity: bench.velocity != bench.release.velocity,
             drag_coefficient: None,
             pressed: matches!(normal_force, NormalForce::Given(_)),
         })
@@ -135,10 +142,11 @@ struct Bench {
     normal_force: NormalForce,
     /// max(|x0|, |v0|/ω0), m.
     amplitude: f64,
-    /// x0, or where it is zero the amplitude, m.
+    /// As it is given, or else the built-in one.
+    release: State,
+    /// x0, or where it is slight the amplitude, m.
     position: f64,
-    own_velocity: f64,
-    /// v0, or where it is zero one that makes about half the speed that the spring gives, against the displacement.
+    /// v0, or where it is slight one of about half the speed that the spring gives, against the displacement, m/s.
     velocity: f64,
     built_in_release: bool,
 }
@@ -149,21 +157,21 @@ impl Bench {
         let built_in_release = release.position == 0.0 && release.velocity == 0.0;
         let release = if built_in_release { State::new(POSITION, 0.0)? } else { release };
         let amplitude = release.position.abs().max(release.velocity.abs() / omega0);
-        let position = if release.position == 0.0 { amplitude } else { release.position };
+        let slight = |length: f64| length.abs() < SLIGHT * amplitude;
+        let position = if slight(release.position) { amplitude } else { release.position };
         let added = -position.signum() * one_digit(0.5 * omega0 * amplitude);
-        let velocity = if release.velocity == 0.0 { added } else { release.velocity };
+        let velocity = if slight(release.velocity / omega0) { added } else { release.velocity };
         let normal_force = match normal_force {
             NormalForce::Weight(gravity) if gravity > 0.0 => normal_force,
             NormalForce::Given(force) if force > 0.0 => normal_force,
             _ => NormalForce::Weight(GRAVITY),
         };
-        let own_velocity = release.velocity;
         Ok(Bench {
             oscillator,
             normal_force,
             amplitude,
+            release,
             position,
-            own_velocity,
             velocity,
             built_in_release,
         })
@@ -176,16 +184,19 @@ impl Bench {
 
     /// The experiment's own Stokes friction, or else the built-in one; and whether it is that.
     fn stokes(&self) -> Result<(Stokes, bool)> {
-        if let Some(law) = self.oscillator.friction().stokes.filter(|law| law.damping() > 0.0) {
+        let critical = 2.0 * (self.oscillator.mass() * self.oscillator.stiffness()).sqrt();
+        let acts = |law: &Stokes| law.damping() >= FAINT * DAMPING_RATIO * critical;
+        if let Some(law) = self.oscillator.friction().stokes.filter(acts) {
             return Ok((law, false));
         }
-        let critical = 2.0 * (self.oscillator.mass() * self.oscillator.stiffness()).sqrt();
         Ok((Stokes::new(built_in(DAMPING, critical, DAMPING_RATIO))?, true))
     }
 
     /// As [`Bench::stokes`] for Coulomb friction.
     fn coulomb(&self) -> Result<(Coulomb, bool)> {
-        if let Some(law) = self.oscillator.friction().coulomb.filter(|law| law.kinetic() > 0.0) {
+        let least = FAINT * OFFSET_SHARE * self.amplitude;
+        let acts = |_: &Coulomb| self.oscillator.offset() >= least;
+        if let Some(law) = self.oscillator.friction().coulomb.filter(acts) {
             return Ok((law, false));
         }
         let force = self.normal_force.force(self.oscillator.mass());
@@ -196,10 +207,11 @@ impl Bench {
 
     /// As [`Bench::stokes`] for Newton friction.
     fn newton(&self) -> Result<(Newton, bool)> {
-        if let Some(law) = self.oscillator.friction().newton.filter(|law| law.coefficient() > 0.0) {
+        let unit = self.oscillator.mass() / self.amplitude;
+        let acts = |law: &Newton| law.coefficient() >= FAINT * DRAG_SHARE * unit;
+        if let Some(law) = self.oscillator.friction().newton.filter(acts) {
             return Ok((law, false));
         }
-        let unit = self.oscillator.mass() / self.amplitude;
         Ok((Newton::new(built_in(DRAG, unit, DRAG_SHARE))?, true))
     }
 }

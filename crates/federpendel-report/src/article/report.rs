@@ -76,9 +76,8 @@ pub fn result(checks: &Checks, catalogue: &Catalogue) -> String {
 /// The claims that do not hold, in a table.
 fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
     let text = |id: &str| writer.catalogue.text(id);
-    let stands_out = |check: &&(usize, &Check)| {
-        matches!(check.1.verdict, Verdict::Fails | Verdict::HoldsHere)
-    };
+    let stands_out =
+        |check: &&(usize, &Check)| matches!(check.1.verdict, Verdict::Fails | Verdict::HoldsHere);
     let numbered: Vec<_> = checks.all().enumerate().collect();
     let rows = numbered.iter().filter(stands_out).map(|(index, check)| {
         vec![
@@ -90,7 +89,9 @@ fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
     });
     Block::Table {
         caption: text("article-see-claims"),
-        head: ["number", "equation", "claim", "verdict"].map(|head| text(&format!("article-head-{head}"))).to_vec(),
+        head: ["number", "equation", "claim", "verdict"]
+            .map(|head| text(&format!("article-head-{head}")))
+            .to_vec(),
         rows: rows.collect(),
     }
 }

@@ -79,20 +79,25 @@ impl<'a> Writer<'a> {
 
 /// A check in words.
 pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim {
-        let id = format!("check-{}", check.id);
-        let finding = format!("{id}.{}", check.verdict.name());
-        let finding = catalogue.contains(&finding).then(|| catalogue.text(&finding));
-        let nothing = !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
-        Claim {
-            number,
-            id: check.id.to_owned(),
-            equation: check.place(),
-            claim: catalogue.text(&id),
-            computed: check.computed.iter().map(|figure| computed(figure, nothing, catalogue)).collect(),
-            expected: check.expected.iter().map(|figure| expected(figure, catalogue)).collect(),
-            verdict: Some(check.verdict),
-            finding,
-        }
+    let id = format!("check-{}", check.id);
+    let finding = format!("{id}.{}", check.verdict.name());
+    let finding = catalogue.contains(&finding).then(|| catalogue.text(&finding));
+    let nothing =
+        !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
+    Claim {
+        number,
+        id: check.id.to_owned(),
+        equation: check.place(),
+        claim: catalogue.text(&id),
+        computed: check
+            .computed
+            .iter()
+            .map(|figure| computed(figure, nothing, catalogue))
+            .collect(),
+        expected: check.expected.iter().map(|figure| expected(figure, catalogue)).collect(),
+        verdict: Some(check.verdict),
+        finding,
+    }
 }
 
 /// `v_A = 19.749 mm/s`; of what should be `nothing` fewer digits.

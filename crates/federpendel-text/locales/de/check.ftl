@@ -47,7 +47,7 @@ check-frequency-lowered = Stokessche Reibung senkt die Kreisfrequenz von $\omega
     .not-applicable = { -no-oscillation }
 check-exponential-decay = Bei Stokesscher Reibung fällt die Amplitude exponentiell mit der Zeit.
     .holds = Jeder Umkehrpunkt liegt beim selben Bruchteil des vorigen.
-    .not-applicable = { -no-oscillation }
+    .not-applicable = Die Dämpfung ist kritisch oder so nahe daran, dass es keine Umkehrpunkte zu vergleichen gibt.
 check-overdamped-solution = Ist die Diskriminante in (36) positiv, so löst eine Summe zweier reeller Exponentialfunktionen die Gleichung (30).
 check-critical-solution = Ist die Diskriminante in (36) null, so lösen eine Exponentialfunktion und ihr Produkt mit $t$ zusammen die Gleichung (30).
 

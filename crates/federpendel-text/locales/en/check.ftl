@@ -47,7 +47,7 @@ check-frequency-lowered = Stokes friction lowers the angular frequency from $\om
     .not-applicable = { -no-oscillation }
 check-exponential-decay = With Stokes friction the amplitude falls exponentially with time.
     .holds = Every turning point is the same share of the one before.
-    .not-applicable = { -no-oscillation }
+    .not-applicable = The damping is critical or so near to it that there are no turning points to compare.
 check-overdamped-solution = Where the discriminant in (36) is positive, a sum of two real exponentials solves (30).
 check-critical-solution = Where the discriminant in (36) is zero, an exponential and $t$ times the same exponential together solve (30).
 

@@ -67,7 +67,8 @@ fn details(
 ) -> io::Result<()> {
     for (index, check) in report.checks.all().enumerate() {
         let claim = check_claim(check, index + 1, catalogue);
-        let place = if claim.equation.is_empty() { String::new() } else { format!("{} ", claim.equation) };
+        let place =
+            if claim.equation.is_empty() { String::new() } else { format!("{} ", claim.equation) };
         let verdict = catalogue.text(&format!("report-verdict-{}", check.verdict.name()));
         let head = format!("{}. {place}{}", claim.number, plain::text(&claim.claim));
         for line in wrap(&head, columns) {

@@ -107,8 +107,8 @@ fn dimension(case: &Case) -> Result<Check> {
     let grams = in_grams(case.oscillator())?;
     let (kilograms, grams) = (eq_68(case.oscillator())?, eq_68(&grams)?);
     Ok(Check::new("decay-dimension", "68")
-        .computed("Δx/(T/2): g / kg", grams.left / kilograms.left, "1")
-        .computed("(2μF_N/π)√(C/m): g / kg", grams.right / kilograms.right, "1")
+        .computed("Δx/(T/2), kg → g", grams.left / kilograms.left, "1")
+        .computed("(2μF_N/π)√(C/m), kg → g", grams.right / kilograms.right, "1")
         .expected("1", 1.0, "1")
         .equal(1.0))
 }

@@ -170,8 +170,12 @@ fn proof(case: &Case) -> Result<Check> {
         return Ok(check);
     }
     let (f, x0) = (case.oscillator().offset(), case.release().position.abs());
+    if x0 < 2.0 * f {
+        // It turns before it has passed x = 0.
+        return Ok(check);
+    }
     // Seen from the centre f of its first swing the mass starts at x0 − f; it passes x = 0 where the cosine is −f/(x0 − f).
-    let crossing = (-f / (x0 - f)).acos() / case.oscillator().angular_frequency();
+    let crossing = (-f / (x0 - f)).max(-1.0).acos() / case.oscillator().angular_frequency();
     let there = case.motion.at(crossing)?;
     if there.position.abs() > 1e-9 * x0 {
         return Ok(check);

@@ -114,8 +114,9 @@ fn linear_decay(case: &Case) -> Check {
     let Some(points) = turning_points(&case.motion, 3) else { return check };
     let start = case.release().position;
     // With alternating signs, since the last place may lie on either side.
-    let along = |n: usize| if n == 0 { start } else { points[n - 1].position } * if n.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let loss = |n: usize| (along(n) - along(n + 1)) * start.signum();
+    let [x1, x2, x3] = [points[0], points[1], points[2]].map(|point| point.position);
+    let places = [start, -x1, x2, -x3];
+    let loss = |n: usize| (places[n] - places[n + 1]) * start.signum();
     check
         .computed("|x₀| − |x₁|", loss(0), "m")
         .computed("|x₁| − |x₂|", loss(1), "m")
@@ -146,6 +147,6 @@ fn scheme_order_with(case: &Case) -> Check {
         Some(order) => check
             .computed("p(59)", order, "1")
             .expected("2", 2.0, "1")
-            .judged((order - 2.0).abs() < NEAR),
+            .judged_by_chance((order - 2.0).abs() < NEAR),
     }
 }

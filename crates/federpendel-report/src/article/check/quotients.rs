@@ -1,10 +1,10 @@
 //! Section 2.2: the difference quotients, the scheme (51) and its start.
 
 use federpendel::scheme::article::Scheme;
-use federpendel::{Friction, Motion, Oscillator, Result, State};
+use federpendel::{Friction, Motion, Oscillator, Result, Sample, State};
 
 use super::measure::{
-    end, half_period, order, radian, residual, scheme, scheme_deviation, scheme_order,
+    end, half_period, largest_of, order, radian, residual, scheme, scheme_deviation, scheme_order,
 };
 use super::{Check, LINE_WIDTH};
 use crate::article::{Case, Laboratory};
@@ -29,15 +29,19 @@ fn at(motion: &Motion, time: f64) -> f64 {
     motion.at(time).map_or(f64::NAN, |sample| sample.position)
 }
 
-/// How fast the errors of (48) and (49) fall with the step, on a motion that is known.
+/// How fast the errors of (48) and (49) fall with the step, on a motion that is known; at one time alone an error may
+/// vanish by chance.
 fn quotient_orders(case: &Case) -> Result<Check> {
     let motion = &case.motion;
-    let time = radian(case);
-    let exact = motion.at(time)?;
-    let backward = |h: f64| (at(motion, time) - at(motion, time - h)) / h - exact.velocity;
+    let samples = motion.samples(&[1.0, 2.0, 3.0].map(|angle| angle * radian(case)))?;
+    let largest = |error: &dyn Fn(&Sample) -> f64| largest_of(samples.iter().map(error));
+    let backward =
+        |h: f64| largest(&|now| (now.position - at(motion, now.time - h)) / h - now.velocity);
     let second = |h: f64| {
-        let sum = at(motion, time + h) - 2.0 * at(motion, time) + at(motion, time - h);
-        sum / (h * h) - exact.acceleration
+        largest(&|now| {
+            let sum = at(motion, now.time + h) - 2.0 * now.position + at(motion, now.time - h);
+            sum / (h * h) - now.acceleration
+        })
     };
     let longest = 0.2 * radian(case);
     let (first_order, second_order) = (order(longest, backward), order(longest, second));
@@ -62,8 +66,12 @@ fn recursion(case: &Case) -> Result<Check> {
     Ok(residual_check(check, left, case, h))
 }
 
-/// A residual is zero up to what rounding makes of a second difference quotient.
+/// A residual is zero up to what rounding makes of a second difference quotient; of a scheme that runs away there is
+/// none.
 pub fn residual_check(check: Check, left: f64, case: &Case, step: f64) -> Check {
+    if left.is_nan() {
+        return check;
+    }
     let amplitude = case.motion.amplitude();
     let rounding = 64.0 * f64::EPSILON * amplitude / (step * step);
     let check = check.computed("max|…|", left, "m/s²").expected("0", 0.0, "m/s²");
@@ -83,7 +91,7 @@ fn scheme_orders(case: &Case) -> Result<Check> {
         .computed("p(D)", with, "1")
         .computed("p(D = 0)", without, "1")
         .expected("2", 2.0, "1")
-        .judged((with - 2.0).abs() < NEAR && (without - 2.0).abs() < NEAR))
+        .judged_by_chance((with - 2.0).abs() < NEAR && (without - 2.0).abs() < NEAR))
 }
 
 /// Steps for which a run is watched on both sides of the limit.
@@ -102,8 +110,8 @@ fn stability(case: &Case) -> Result<Check> {
     let (below, above) = (growth(0.98 * limit), growth(1.02 * limit));
     Ok(Check::new("stability", "51")
         .computed("Δt_max", limit, "s")
-        .computed("max|x|/x₀ (0.98 Δt_max)", below, "1")
-        .computed("max|x|/x₀ (1.02 Δt_max)", above, "1")
+        .computed("max|x|/A (98 % Δt_max)", below, "1")
+        .computed("max|x|/A (102 % Δt_max)", above, "1")
         .expected("Δt_max", f64::INFINITY, "s")
         .judged(above.is_finite() && above < 1e3))
 }

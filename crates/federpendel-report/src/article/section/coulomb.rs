@@ -29,8 +29,9 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
 
 fn scheme(writer: &Writer<'_>, case: &Case, checks: &Checks) -> Result<Section> {
     let times = figure::times(case)?;
-    let curves: Vec<_> =
-        figure::scheme(writer.catalogue.text("article-name-59"), case, &times).into_iter().collect();
+    let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-59"), case, &times)
+        .into_iter()
+        .collect();
     let step = writer.time(Setting::of(&case.motion).time_step());
     let blocks = vec![
         writer.say("article-coulomb-scheme-text"),
@@ -129,7 +130,10 @@ pub fn plots_from_rest(writer: &Writer<'_>, case: &Case) -> Result<Vec<Plot>> {
 fn thrown(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let mut blocks = vec![
         writer.say("article-coulomb-thrown-text"),
-        numbered("72", r"x_0 \cos(\omega_0 t) + \frac{v_0}{\omega_0} \sin(\omega_0 t) = A \sin(\omega_0 t + \varphi)"),
+        numbered(
+            "72",
+            r"x_0 \cos(\omega_0 t) + \frac{v_0}{\omega_0} \sin(\omega_0 t) = A \sin(\omega_0 t + \varphi)",
+        ),
         numbered("76", r"A = \sqrt{x_0^2 + \left(\frac{v_0}{\omega_0}\right)^2}"),
         numbered("77", r"\varphi = \arctan\left(\frac{x_0 \omega_0}{v_0}\right)"),
         numbered("78", r"x = (A - v_A t) \sin(\omega_0 t + \varphi)"),
@@ -152,8 +156,10 @@ fn graph_thrown(writer: &Writer<'_>, case: &Case, id: &str) -> Result<Block> {
         figure::formula(name("article-name-78"), Look::Corrected, &corrected, &times),
     ];
     curves.extend(figure::scheme(name("article-name-59"), case, &times));
-    let variables =
-        [("position", writer.length(release.position)), ("velocity", writer.velocity(release.velocity))];
+    let variables = [
+        ("position", writer.length(release.position)),
+        ("velocity", writer.velocity(release.velocity)),
+    ];
     Ok(Block::Figure {
         id: id.to_owned(),
         plots: figure::beside(writer, case, &curves)?,

@@ -11,10 +11,7 @@ use crate::article::{Case, Laboratory};
 use crate::document::{Block, Section};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> {
-    let mut blocks = vec![
-        writer.say("article-experiment-text"),
-        table(writer, laboratory),
-    ];
+    let mut blocks = vec![writer.say("article-experiment-text"), table(writer, laboratory)];
     blocks.extend(notices(writer, laboratory));
     let mix = writer.catalogue.mix(laboratory.own.oscillator().friction().mix());
     blocks.push(Block::Figure {
@@ -52,7 +49,12 @@ impl Origin {
 fn table(writer: &Writer<'_>, laboratory: &Laboratory) -> Block {
     let text = |id: &str| writer.catalogue.text(id);
     let row = |name: String, symbol: &str, value: f64, unit: &str, origin: Origin| {
-        vec![name, format!("${symbol}$"), writer.catalogue.quantity(value, unit, 6), text(origin.id())]
+        vec![
+            name,
+            format!("${symbol}$"),
+            writer.catalogue.quantity(value, unit, 6),
+            text(origin.id()),
+        ]
     };
     let given = |info: &ParameterInfo, symbol: &str, value: f64, origin: Origin| {
         row(writer.catalogue.parameter(info).name, symbol, value, info.unit, origin)
@@ -84,12 +86,19 @@ fn table(writer: &Writer<'_>, laboratory: &Laboratory) -> Block {
     }
     if let Some(law) = newton.oscillator().friction().newton {
         let info = &parameter::NEWTON_COEFFICIENT;
-        rows.push(given(info, r"\frac{1}{2}\rho c_w A", law.coefficient(), Origin::of(newton.built_in)));
+        rows.push(given(
+            info,
+            r"\frac{1}{2}\rho c_w A",
+            law.coefficient(),
+            Origin::of(newton.built_in),
+        ));
     }
     rows.extend(derived(writer, laboratory, row));
     Block::Table {
         caption: text("article-quantities"),
-        head: ["quantity", "symbol", "value", "origin"].map(|head| text(&format!("article-head-{head}"))).to_vec(),
+        head: ["quantity", "symbol", "value", "origin"]
+            .map(|head| text(&format!("article-head-{head}")))
+            .to_vec(),
         rows,
     }
 }
@@ -109,7 +118,9 @@ fn derived(
         ("article-quantity-drag-rate", r"\kappa", of(&laboratory.newton).newton_rate(), "1/m"),
     ]
     .into_iter()
-    .map(|(id, symbol, value, unit)| row(writer.catalogue.text(id), symbol, value, unit, Origin::Derived))
+    .map(|(id, symbol, value, unit)| {
+        row(writer.catalogue.text(id), symbol, value, unit, Origin::Derived)
+    })
     .collect()
 }
 
@@ -121,9 +132,12 @@ fn notices(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
         ("coulomb", &laboratory.coulomb),
         ("newton", &laboratory.newton),
     ];
-    for (law, _) in laws.iter().filter(|(_, case)| case.built_in) {
+    let mix = laboratory.own.oscillator().friction().mix();
+    let acts = [mix.stokes, mix.coulomb, mix.newton];
+    for ((law, _), acts) in laws.iter().zip(acts).filter(|((_, case), _)| case.built_in) {
         let name = writer.catalogue.text(&format!("article-law-{law}"));
-        notices.push(writer.notice("article-lacks", &[("laws", name.into())]));
+        let id = if acts { "article-faint" } else { "article-lacks" };
+        notices.push(writer.notice(id, &[("laws", name.into())]));
     }
     if laboratory.built_in_release {
         let position = writer.length(laboratory.own.release().position);

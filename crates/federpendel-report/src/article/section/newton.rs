@@ -13,8 +13,9 @@ use crate::sketch::{self, Law};
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let case = &laboratory.newton;
     let times = figure::times(case)?;
-    let curves: Vec<_> =
-        figure::scheme(writer.catalogue.text("article-name-85"), case, &times).into_iter().collect();
+    let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-85"), case, &times)
+        .into_iter()
+        .collect();
     let step = writer.time(Setting::of(&case.motion).time_step());
     let graph = Block::Figure {
         id: "figure-newton".to_owned(),
@@ -34,7 +35,10 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
             svg: sketch::stream("sketch-stream", writer.catalogue),
             caption: writer.catalogue.text("article-newton-sketch"),
         },
-        numbered("83", r"\ddot{x} + \frac{C}{m} x = -\operatorname{sign}(\dot{x})\, \frac{1}{2m} \rho c_w A \dot{x}^2"),
+        numbered(
+            "83",
+            r"\ddot{x} + \frac{C}{m} x = -\operatorname{sign}(\dot{x})\, \frac{1}{2m} \rho c_w A \dot{x}^2",
+        ),
         writer.say("article-newton-scheme-text"),
         numbered(
             "85",

@@ -39,7 +39,12 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     let methods: Vec<_> = found
         .iter()
         .enumerate()
-        .map(|(number, (name, ladder))| MethodRungs { name, number, order: 2, rungs: &ladder.rungs })
+        .map(|(number, (name, ladder))| MethodRungs {
+            name,
+            number,
+            order: 2,
+            rungs: &ladder.rungs,
+        })
         .collect();
     let mix = laboratory.own.oscillator().friction().mix();
     let plot = Plot::convergence(writer.catalogue, &ConvergenceData { mix, methods: &methods });
@@ -58,7 +63,9 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     let text = |id: &str| writer.catalogue.text(id);
     let table = Block::Table {
         caption: text("article-scheme-table"),
-        head: ["friction", "order", "error"].map(|head| text(&format!("article-scheme-head-{head}"))).to_vec(),
+        head: ["friction", "order", "error"]
+            .map(|head| text(&format!("article-scheme-head-{head}")))
+            .to_vec(),
         rows: rows.collect(),
     };
     vec![figure, table]
@@ -72,7 +79,8 @@ fn rest(writer: &Writer<'_>, case: &Case) -> Result<Vec<Block>> {
     };
     let setting = Setting::of(&case.motion);
     let times = even_times(AFTER * rest.time, SAMPLES)?;
-    let methods = [(article_scheme(), "article-scheme-own"), (moreau_jean, "article-scheme-moreau")];
+    let methods =
+        [(article_scheme(), "article-scheme-own"), (moreau_jean, "article-scheme-moreau")];
     let mut curves = Vec::new();
     for (method, id) in methods {
         let course = follow(method, &setting, &times);
@@ -127,16 +135,19 @@ fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> R
     let length = |value: f64| writer.catalogue.quantity(value, "m", 4);
     let (time, setting) = (later(case), Setting::of(&case.motion));
     let yes = |yes: bool| text(if yes { "article-yes" } else { "article-no" });
-    let mut rows = vec![vec![text("article-scheme-motion"), length(place), yes(true), "0".to_owned()]];
+    let mut rows =
+        vec![vec![text("article-scheme-motion"), length(place), yes(true), "0".to_owned()]];
     for (method, name, _) in curves {
         let there = follow(method, &setting, &[time]).map_or(f64::NAN, |positions| positions[0]);
         let ending = lens::ending(&case.motion, method, &setting)?;
         let rests = ending.map_or_else(|| "–".to_owned(), |ending| yes(ending.sticks));
         let creep = ending.and_then(|ending| ending.creep);
-        let creep = creep.map_or_else(|| "–".to_owned(), |creep| writer.catalogue.quantity(creep, "m/s", 2));
+        let creep = creep
+            .map_or_else(|| "–".to_owned(), |creep| writer.catalogue.quantity(creep, "m/s", 2));
         rows.push(vec![name.clone(), length(there), rests, creep]);
     }
-    let place = writer.catalogue.format("article-scheme-head-place", &[("time", writer.time(time))]);
+    let place =
+        writer.catalogue.format("article-scheme-head-place", &[("time", writer.time(time))]);
     Ok(Block::Table {
         caption: text("article-scheme-rest-table"),
         head: vec![

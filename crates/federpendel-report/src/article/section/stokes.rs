@@ -64,7 +64,8 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
 
 fn roots(writer: &Writer<'_>, case: &Case) -> Block {
     let oscillator = case.oscillator();
-    let data = RootsData { omega0: oscillator.angular_frequency(), gamma: oscillator.damping_rate() };
+    let data =
+        RootsData { omega0: oscillator.angular_frequency(), gamma: oscillator.damping_rate() };
     Block::Figure {
         id: "figure-roots".to_owned(),
         plots: vec![Plot::roots(writer.catalogue, &data)],
@@ -91,16 +92,23 @@ fn regimes(writer: &Writer<'_>, case: &Case) -> Result<Block> {
         let samples = motion.samples(&times)?;
         curves.push((name, samples.iter().map(|sample| sample.position).collect::<Vec<f64>>()));
     }
-    let courses: Vec<_> =
-        curves
+    let courses: Vec<_> = curves
         .iter()
         .enumerate()
-        .map(|(n, (name, positions))| Course { name, role: Role::Comparison(n), times: &times, positions })
+        .map(|(n, (name, positions))| Course {
+            name,
+            role: Role::Comparison(n),
+            times: &times,
+            positions,
+        })
         .collect();
     let title = writer.catalogue.text("article-stokes-regimes-figure");
     Ok(Block::Figure {
         id: "figure-regimes".to_owned(),
-        plots: vec![Plot::courses(writer.catalogue, &CoursesData { title: &title, curves: &courses })],
+        plots: vec![Plot::courses(
+            writer.catalogue,
+            &CoursesData { title: &title, curves: &courses },
+        )],
         caption: writer.catalogue.text("article-stokes-regimes-figure"),
     })
 }

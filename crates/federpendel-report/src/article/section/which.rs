@@ -19,7 +19,8 @@ const SAMPLES: usize = 801;
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let cases = released_alike(laboratory)?;
-    let names = ["coulomb", "stokes", "newton"].map(|law| writer.catalogue.text(&format!("article-law-{law}")));
+    let names = ["coulomb", "stokes", "newton"]
+        .map(|law| writer.catalogue.text(&format!("article-law-{law}")));
     let blocks = vec![
         writer.say("article-which-text"),
         motions(writer, &cases, &names)?,
@@ -33,7 +34,8 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
 /// The three laws from the same rest.
 fn released_alike(laboratory: &Laboratory) -> Result<[Case; 3]> {
     let from = laboratory.coulomb.release().position;
-    let alike = |case: &Case| Ok(Case::on(Motion::new(*case.oscillator(), State::new(from, 0.0)?)?));
+    let alike =
+        |case: &Case| Ok(Case::on(Motion::new(*case.oscillator(), State::new(from, 0.0)?)?));
     Ok([alike(&laboratory.coulomb)?, alike(&laboratory.stokes)?, alike(&laboratory.newton)?])
 }
 
@@ -54,7 +56,10 @@ fn motions(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Resul
         .collect();
     Ok(Block::Figure {
         id: "figure-which".to_owned(),
-        plots: vec![Plot::courses(writer.catalogue, &CoursesData { title: &title, curves: &courses })],
+        plots: vec![Plot::courses(
+            writer.catalogue,
+            &CoursesData { title: &title, curves: &courses },
+        )],
         caption: writer.catalogue.text("article-which-motions-figure"),
     })
 }
@@ -84,14 +89,20 @@ fn table(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Block {
     let text = |id: &str| writer.catalogue.text(id);
     let formulas = [r"$2f$", r"$(\pi\gamma/\omega_0) A$", r"$\frac{4}{3}\kappa A^2$"];
     let decays = ["article-which-linear", "article-which-exponential", "article-which-hyperbolic"];
-    let rows = cases.iter().zip(names).zip(formulas.iter().zip(decays)).map(|((case, name), (formula, decay))| {
-        let first = amplitudes(case).windows(2).next().map(|pair| pair[0].abs() - pair[1].abs());
-        let lost = first.map_or_else(|| "–".to_owned(), |loss| writer.catalogue.quantity(loss, "m", 4));
-        vec![name.clone(), (*formula).to_owned(), text(decay), lost]
-    });
+    let rows = cases.iter().zip(names).zip(formulas.iter().zip(decays)).map(
+        |((case, name), (formula, decay))| {
+            let first =
+                amplitudes(case).windows(2).next().map(|pair| pair[0].abs() - pair[1].abs());
+            let lost = first
+                .map_or_else(|| "–".to_owned(), |loss| writer.catalogue.quantity(loss, "m", 4));
+            vec![name.clone(), (*formula).to_owned(), text(decay), lost]
+        },
+    );
     Block::Table {
         caption: text("article-which-table"),
-        head: ["law", "loss", "decay", "measured"].map(|head| text(&format!("article-which-head-{head}"))).to_vec(),
+        head: ["law", "loss", "decay", "measured"]
+            .map(|head| text(&format!("article-which-head-{head}")))
+            .to_vec(),
         rows: rows.collect(),
     }
 }
