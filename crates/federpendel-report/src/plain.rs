@@ -65,7 +65,7 @@ fn formula(tex: &str) -> String {
     for (sign, lowered) in LOWERED {
         plain = plain.replace(&format!("_{sign}"), &lowered.to_string());
     }
-    plain.replace('-', "−").replace("^2", "²")
+    plain.replace('-', "−").replace("^2", "²").replace(['{', '}'], "")
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ pub fn document(
 ) -> Result<Document> {
     let blank = edition == Edition::Worksheet;
     let writer = Writer::new(catalogue, blank);
-    let sections = vec![
+    let mut sections = vec![
         experiment::section(&writer, laboratory)?,
         undamped::section(&writer, laboratory, checks)?,
         stokes::section(&writer, laboratory, checks)?,
@@ -46,7 +46,12 @@ pub fn document(
     if blank {
         lead.push(writer.say("article-task"));
     } else {
-        lead.extend([Block::Paragraph(result(checks, catalogue)), wrong(checks, &writer)]);
+        lead.push(Block::Paragraph(result(checks, catalogue)));
+        sections.push(writer.section(
+            "errata",
+            vec![writer.say("article-errata-text"), wrong(checks, &writer)],
+            vec![],
+        ));
     }
     let title = match edition {
         Edition::Report => "article-title",
@@ -58,19 +63,24 @@ pub fn document(
     Ok(Document { title: catalogue.text(title), lead, sections, colophon })
 }
 
-/// How many claims hold, in a sentence.
+/// How many claims hold, in a sentence or two.
 pub fn result(checks: &Checks, catalogue: &Catalogue) -> String {
     let count = |verdict: Verdict| checks.all().filter(|check| check.verdict == verdict).count();
-    catalogue.format(
-        "article-result",
-        &[
-            ("checks", checks.all().count().into()),
-            ("holds", count(Verdict::Holds).into()),
-            ("fails", count(Verdict::Fails).into()),
-            ("here", count(Verdict::HoldsHere).into()),
-            ("open", count(Verdict::NotApplicable).into()),
-        ],
-    )
+    let counts = [
+        ("checks", checks.all().count().into()),
+        ("holds", count(Verdict::Holds).into()),
+        ("fails", count(Verdict::Fails).into()),
+    ];
+    let mut sentences = vec![catalogue.format("article-result", &counts)];
+    for (verdict, id) in [
+        (Verdict::HoldsHere, "article-result-here"),
+        (Verdict::NotApplicable, "article-result-open"),
+    ] {
+        if count(verdict) > 0 {
+            sentences.push(catalogue.format(id, &[("claims", count(verdict).into())]));
+        }
+    }
+    sentences.join(" ")
 }
 
 /// The claims that do not hold, in a table.

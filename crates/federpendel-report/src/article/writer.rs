@@ -100,14 +100,15 @@ pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim
     }
 }
 
-/// `v_A = 19.749 mm/s`; of what should be `nothing` fewer digits.
+/// `$v_{A}$ = 19.749 mm/s`; of what should be `nothing` fewer digits.
 fn computed(figure: &Figure, nothing: bool, catalogue: &Catalogue) -> String {
+    let symbol = lowered(figure.symbol);
     let digits = if nothing { DIGITS_OF_NOTHING } else { DIGITS };
     let value = catalogue.quantity(figure.value, figure.unit, digits);
     match figure.time {
-        None => format!("{} = {value}", figure.symbol),
+        None => format!("{symbol} = {value}"),
         Some(time) => {
-            format!("{} = {value} (t = {})", figure.symbol, catalogue.quantity(time, "s", DIGITS))
+            format!("{symbol} = {value} (t = {})", catalogue.quantity(time, "s", DIGITS))
         }
     }
 }
@@ -116,4 +117,29 @@ fn computed(figure: &Figure, nothing: bool, catalogue: &Catalogue) -> String {
 fn expected(figure: &Figure, catalogue: &Catalogue) -> String {
     let bare = figure.symbol.starts_with(['<', '>']) || figure.symbol.parse::<f64>().is_ok();
     if bare { figure.symbol.to_owned() } else { computed(figure, false, catalogue) }
+}
+
+/// A symbol in which `v_A` is a formula, `$v_{A}$`, so that its index is set as one.
+fn lowered(symbol: &str) -> String {
+    let mut pieces = symbol.split('_');
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let end = piece.find(|sign: char| !sign.is_alphanumeric()).unwrap_or(piece.len());
+        let (index, rest) = piece.split_at(end);
+        let letter = text.pop().unwrap_or_default();
+        text = format!("{text}${letter}_{{{index}}}${rest}");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indices_are_set_as_such() {
+        assert_eq!(lowered("x₀"), "x₀");
+        assert_eq!(lowered("2μF_N/C"), "2μ$F_{N}$/C");
+        assert_eq!(lowered("max|Δx(t_n)|, v_A"), "max|Δx($t_{n}$)|, $v_{A}$");
+    }
 }

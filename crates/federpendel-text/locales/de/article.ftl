@@ -7,7 +7,17 @@ article-title-worksheet = Das Federpendel mit Reibung: Arbeitsblatt
 article-title-solutions = Das Federpendel mit Reibung: Lösungen zum Arbeitsblatt
 article-lead = Der Artikel „Das Federpendel mit verschiedenen Arten von Reibung“ verfolgt eine Masse an einer Feder ohne Reibung und mit Stokesscher (viskoser), Coulombscher (trockener) und Newtonscher (quadratischer) Reibung: mit Formeln, wo er sie findet, sonst mit einem einfachen Differenzenverfahren. Dieser Bericht geht ihn Abschnitt für Abschnitt an einem Versuch durch und hält jede Behauptung neben die Bewegung selbst, die ohne Newtonsche Reibung in geschlossener Form und mit ihr auf Rundung genau bekannt ist.
 article-own-values = Der Artikel enthält kein Zahlenbeispiel, und die Werte hinter seinen Graphen sind nicht bekannt. Zu jedem Graphen, den er erwähnt, steht hier einer derselben Art mit den Werten dieses Versuchs. Zahlen in Klammern sind die Gleichungsnummern des Artikels.
-article-result = Von den { $checks } Behauptungen, die hier nachgerechnet sind, gelten { $holds } und gelten { $fails } nicht; { $here } weitere sind im Allgemeinen falsch, stimmen aber für diesen Versuch dem Zahlenwert nach, und über { $open } sagt dieser Versuch nichts.
+article-result = Von den { $checks } Behauptungen, die hier nachgerechnet sind, gelten { $holds }, und { $fails } gelten nicht.
+article-result-here = { $claims ->
+        [one] Eine ist
+       *[other] { $claims } sind
+    } im Allgemeinen falsch, aber für diesen Versuch dem Zahlenwert nach richtig.
+article-result-open = Über { $claims ->
+        [one] eine Behauptung
+       *[other] { $claims } Behauptungen
+    } sagt dieser Versuch nichts.
+article-errata = Was am Artikel zu berichtigen ist
+article-errata-text = Alle Behauptungen, die nicht gelten, in der Reihenfolge des Artikels. Was richtig ist, steht bei der Behauptung mit derselben Nummer.
 article-task = Neben jeder Behauptung steht, was berechnet wurde und was herauskommen müsste, wenn sie richtig wäre. Entscheide: Gilt sie, gilt sie nicht, stimmt sie nur für diesen Versuch dem Zahlenwert nach, oder sagt dieser Versuch nichts darüber? Begründe.
 article-see-claims = Die Behauptungen, die nicht gelten
 article-colophon = Erstellt von federpendel { $version }. Jede Zahl auf dieser Seite ist für diesen Versuch berechnet.
@@ -37,9 +47,9 @@ article-origin-derived = abgeleitet
 article-quantity-force = Kraft der trockenen Reibung
 article-quantity-omega = Kreisfrequenz ohne Reibung
 article-quantity-period = Periodendauer ohne Reibung
-article-quantity-offset = Verschiebung
+article-quantity-offset = Verschiebung der Mitte
 article-quantity-rate = Dämpfungsparameter
-article-quantity-drag-rate = Widerstand durch Masse
+article-quantity-drag-rate = Parameter der Newtonschen Reibung
 article-quantity-thrown = Anfangsgeschwindigkeit, wo der Artikel eine hat
 article-lacks = Der Versuch hat keine { $laws }. Die Abschnitte darüber nehmen vorgegebene Werte; die Tabelle nennt sie.
 article-faint = Die { $laws } des Versuchs ist so schwach, dass von ihr nichts zu sehen wäre. Die Abschnitte darüber nehmen einen vorgegebenen Wert; die Tabelle nennt ihn.

@@ -7,7 +7,17 @@ article-title-worksheet = The spring pendulum with friction: worksheet
 article-title-solutions = The spring pendulum with friction: solutions to the worksheet
 article-lead = The German article “Das Federpendel mit verschiedenen Arten von Reibung” (The spring pendulum with different kinds of friction) follows a mass on a spring without friction, with Stokes (viscous), Coulomb (dry) and Newton (quadratic) friction: with formulas where it finds them, with a simple difference scheme elsewhere. This report goes through it section by section for one experiment and holds every claim against the motion itself, which is known in closed form without Newton friction and to rounding with it.
 article-own-values = The article has no numeric example, and the values behind its graphs are not known. For each graph that it mentions there is one of the same kind here, with the values of this experiment. Numbers in brackets are the article’s own equation numbers.
-article-result = Of the { $checks } claims checked here { $holds } hold and { $fails } fail; { $here } more are wrong in general but right in number for this experiment, and about { $open } this experiment cannot tell.
+article-result = Of the { $checks } claims checked here { $holds } hold and { $fails } fail.
+article-result-here = { $claims ->
+        [one] One is
+       *[other] { $claims } are
+    } wrong in general but right in number for this experiment.
+article-result-open = About { $claims ->
+        [one] one claim
+       *[other] { $claims } claims
+    } this experiment cannot tell.
+article-errata = What to correct in the article
+article-errata-text = All claims that do not hold, in the order of the article. What is right stands at the claim of the same number.
 article-task = Each claim stands beside what was computed and what would have come out if it were right. Decide: does it hold, does it fail, is it right in number for this experiment only, or can this experiment not tell? Say why.
 article-see-claims = The claims that do not hold
 article-colophon = Made by federpendel { $version }. Every number on this page was computed for this experiment.
@@ -37,9 +47,9 @@ article-origin-derived = derived
 article-quantity-force = force of dry friction
 article-quantity-omega = angular frequency without friction
 article-quantity-period = period without friction
-article-quantity-offset = offset
+article-quantity-offset = offset of the middle
 article-quantity-rate = damping rate
-article-quantity-drag-rate = drag over mass
+article-quantity-drag-rate = rate of Newton friction
 article-quantity-thrown = initial velocity, where the article has one
 article-lacks = The experiment has no { $laws }. The sections on it use built-in coefficients, marked in the table.
 article-faint = The { $laws } of the experiment is so weak that nothing of it would be seen. The sections on it use a built-in coefficient, marked in the table.

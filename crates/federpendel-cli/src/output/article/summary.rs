@@ -75,8 +75,8 @@ fn details(
             writeln!(out, "{line}")?;
         }
         let mut table = Table::new(catalogue);
-        table.row("report-computed", claim.computed.join("; "));
-        table.row("report-expected", claim.expected.join("; "));
+        table.row("report-computed", plain::text(&claim.computed.join("; ")));
+        table.row("report-expected", plain::text(&claim.expected.join("; ")));
         table.row("report-verdict", verdict);
         if let Some(finding) = &claim.finding {
             table.row("report-finding", plain::text(finding));

@@ -31,7 +31,7 @@ fn forces(writer: &Writer<'_>, case: &Case, law: Law, id: &str) -> Block {
 
 /// A formula with its number in the article.
 fn numbered(number: &str, tex: &str) -> Block {
-    Block::Formula { number: Some(number.to_owned()), tex: tex.to_owned() }
+    Block::Formula { number: Some(format!("({number})")), tex: tex.to_owned() }
 }
 
 /// A formula that the article does not have.
