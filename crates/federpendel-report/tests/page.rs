@@ -73,10 +73,10 @@ fn what_is_no_formula_is_refused() {
 #[test]
 fn a_verdict_has_its_word_in_either_language() {
     let words = [
-        (Verdict::Holds, "holds", "trifft zu"),
-        (Verdict::Fails, "fails", "trifft nicht zu"),
-        (Verdict::HoldsHere, "holds here", "trifft hier zu"),
-        (Verdict::NotApplicable, "not applicable", "nicht anwendbar"),
+        (Verdict::Holds, "holds", "gilt"),
+        (Verdict::Fails, "fails", "gilt nicht"),
+        (Verdict::HoldsHere, "holds here only", "gilt nur hier"),
+        (Verdict::NotApplicable, "cannot be told here", "hier nicht entscheidbar"),
     ];
     for (verdict, english, german) in words {
         for (language, word) in [(Language::English, english), (Language::German, german)] {
