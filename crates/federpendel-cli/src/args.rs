@@ -34,6 +34,8 @@ pub enum Request {
     Simulate(Simulate),
     /// Hold methods beside its exact motion.
     Compare(Compare),
+    /// Check the article's claims.
+    Article(Article),
     /// Hold samples against a reference problem.
     Score(Score),
     /// Write the completions for a shell.
@@ -102,6 +104,17 @@ pub struct Compare {
     pub results: Results,
 }
 
+/// The arguments of `article`.
+#[derive(Debug)]
+pub struct Article {
+    /// The experiment.
+    pub subject: Subject,
+    /// Whether verdicts are left blank for a class, with the solutions in a second file.
+    pub worksheet: bool,
+    /// Where results go.
+    pub results: Results,
+}
+
 /// The language that `--lang` asks for, or else the environment; found before anything else is
 /// parsed, since help and refusals already speak it.
 pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String>) -> Language {
@@ -155,6 +168,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
         Some(("man", _)) => Request::Man,
         Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
+        Some(("article", matches)) => Request::Article(article(matches)),
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),
     })
@@ -201,7 +215,11 @@ fn subject(matches: &ArgMatches) -> Subject {
 }
 
 fn results(matches: &ArgMatches) -> Results {
-    let named = |id: &str| text(matches, id).unwrap_or_default();
+    // Not every command has every flag.
+    let named = |id: &str| {
+        let written = matches.try_get_one::<String>(id).ok().flatten();
+        written.cloned().unwrap_or_default()
+    };
     Results {
         outputs: matches.get_many("output").into_iter().flatten().cloned().collect(),
         format: Format::named(&named("format")),
@@ -231,6 +249,14 @@ fn compare(matches: &ArgMatches) -> Compare {
         tolerance: text(matches, "tolerance"),
         width: text(matches, "width"),
         picture: picture.unwrap_or_default(),
+        results: results(matches),
+    }
+}
+
+fn article(matches: &ArgMatches) -> Article {
+    Article {
+        subject: subject(matches),
+        worksheet: matches.get_flag("worksheet"),
         results: results(matches),
     }
 }

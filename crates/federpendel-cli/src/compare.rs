@@ -8,14 +8,15 @@ use crate::args::Compare;
 use crate::comparison::{Candidate, Comparison};
 use crate::failure::Failure;
 use crate::load;
-use crate::output::{self, ComparisonReport, Targets};
+use crate::output::{self, ComparisonReport, Format, Targets};
 use crate::progress::Progress;
 use crate::quantity::Dimension;
 use crate::record::{Method, Record};
 use crate::words::{flag_value, nearest};
 
 pub(crate) fn run(arguments: &Compare, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(&arguments.subject, &arguments.results, catalogue)?;
+    let targets =
+        Targets::check(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let named = candidates(arguments, catalogue)?;
     let fineness = Fineness::parse(arguments, catalogue)?;
     let copies = named.as_ref().map_or(Candidate::all().len(), Vec::len);

@@ -1,6 +1,7 @@
 //! The command line of federpendel, as a library so that its parsers can be tested and fuzzed.
 
 pub mod args;
+mod article;
 mod compare;
 mod comparison;
 pub mod experiment;
@@ -37,6 +38,7 @@ fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
     match request {
         Request::Simulate(arguments) => simulate::run(arguments, catalogue),
         Request::Compare(arguments) => compare::run(arguments, catalogue),
+        Request::Article(arguments) => article::run(arguments, catalogue),
         Request::Score(arguments) => score::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),

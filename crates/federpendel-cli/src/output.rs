@@ -1,5 +1,6 @@
 //! Where results go, and in which form: one file of this folder for each.
 
+mod article;
 mod comparison;
 mod csv;
 mod json;
@@ -10,6 +11,7 @@ mod summary;
 mod targets;
 mod whole;
 
+pub(crate) use article::ArticleReport;
 pub(crate) use comparison::ComparisonReport;
 pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
@@ -40,13 +42,19 @@ pub enum Format {
     Svg,
     /// A picture of pixels.
     Png,
+    /// A page for a browser.
+    Html,
 }
 
 impl Format {
-    /// The forms that a file can have.
+    /// The forms that a file with a motion can have.
     pub const IN_FILES: [Format; 4] = [Format::Csv, Format::Json, Format::Svg, Format::Png];
     /// The forms that standard output can get.
     pub const ON_STDOUT: [Format; 3] = [Format::Summary, Format::Csv, Format::Json];
+    /// The forms that a file with a report can have.
+    pub const OF_REPORTS: [Format; 2] = [Format::Json, Format::Html];
+    /// The forms of a report on standard output.
+    pub const REPORTS_ON_STDOUT: [Format; 2] = [Format::Summary, Format::Json];
 
     /// Its name on the command line, and the extension of its files.
     pub fn name(self) -> &'static str {
@@ -56,12 +64,14 @@ impl Format {
             Format::Json => "json",
             Format::Svg => "svg",
             Format::Png => "png",
+            Format::Html => "html",
         }
     }
 
-    /// The extensions of files, for a person.
-    pub fn extensions() -> String {
-        Self::IN_FILES.map(|format| format!(".{}", format.name())).join(", ")
+    /// The extensions of files of these forms, for a person.
+    pub fn extensions(forms: &[Format]) -> String {
+        let names: Vec<_> = forms.iter().map(|format| format!(".{}", format.name())).collect();
+        names.join(", ")
     }
 
     /// The form of this name.

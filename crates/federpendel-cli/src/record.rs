@@ -1,13 +1,11 @@
 //! The record of a motion: its samples, and how long it is.
 
 mod drawn;
-mod duration;
 mod method;
 mod remark;
 mod stability;
 mod turning;
 
-pub(crate) use duration::default_duration;
 pub use method::Method;
 pub(crate) use method::{Other, Source};
 pub(crate) use remark::Remark;
@@ -56,7 +54,7 @@ impl Record {
     ) -> federpendel::Result<Self> {
         let motion = Motion::new(experiment.oscillator, experiment.release)?;
         let outcome = motion.outcome();
-        let duration = experiment.duration.unwrap_or_else(|| default_duration(&motion, &outcome));
+        let duration = experiment.duration.unwrap_or_else(|| motion.default_duration());
         let times = motion::even_times(duration, experiment.samples)?;
         let other = Other::compute(method, time_step, &motion, &times, progress)?;
         let mut exact = Vec::with_capacity(times.len());

@@ -7,14 +7,15 @@ use crate::args::Simulate;
 use crate::experiment::Experiment;
 use crate::failure::{Failure, note};
 use crate::load;
-use crate::output::{self, MotionReport, Targets};
+use crate::output::{self, Format, MotionReport, Targets};
 use crate::progress::Progress;
 use crate::quantity::Dimension;
 use crate::record::{Method, Record, TooLong};
 use crate::words::{flag_value, too_long_step};
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(&arguments.subject, &arguments.results, catalogue)?;
+    let targets =
+        Targets::check(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let time_step = time_step(arguments, catalogue)?;
     let experiment = load::experiment(&arguments.subject, 0, catalogue)?;
     let record = compute(experiment, arguments.method, time_step, catalogue)?;

@@ -7,6 +7,7 @@
 pub mod article;
 pub mod document;
 pub mod html;
+pub mod plain;
 pub mod sketch;
 
 pub use document::{Block, Claim, Document, Section, Verdict};

@@ -95,11 +95,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/report.ftl")),
             include_str!(concat!("../locales/", $folder, "/article.ftl")),
             include_str!(concat!("../locales/", $folder, "/check.ftl")),
+            include_str!(concat!("../locales/", $folder, "/sketch.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 4] {
+fn sources(language: Language) -> [&'static str; 5] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

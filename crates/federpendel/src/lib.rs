@@ -34,6 +34,7 @@
 pub mod article;
 mod chain;
 mod double;
+mod duration;
 pub mod energy;
 pub mod error;
 pub mod friction;

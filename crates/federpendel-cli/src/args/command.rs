@@ -1,5 +1,6 @@
 //! The command line described to clap, in the user's language.
 
+mod article;
 mod score;
 
 use std::path::PathBuf;
@@ -46,6 +47,7 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         )
         .subcommand(simulate(catalogue))
         .subcommand(compare(catalogue))
+        .subcommand(article::article(catalogue))
         .subcommand(score::score(catalogue))
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))
@@ -154,6 +156,11 @@ fn compare(catalogue: &Catalogue) -> Command {
 
 /// The experiment and where results go: what `simulate` and `compare` share.
 fn about_an_experiment(command: Command, catalogue: &Catalogue) -> Command {
+    experiment(command.args(output(catalogue)), catalogue)
+}
+
+/// The experiment and its overrides.
+fn experiment(command: Command, catalogue: &Catalogue) -> Command {
     command
         .arg(
             Arg::new("experiment")
@@ -162,7 +169,6 @@ fn about_an_experiment(command: Command, catalogue: &Catalogue) -> Command {
                 .help_heading(catalogue.text("cli-heading-arguments"))
                 .help(catalogue.text("cli-experiment")),
         )
-        .args(output(catalogue))
         .args(Field::ALL.iter().map(|field| {
             quantity(field.flag(), field.info(), catalogue)
                 .help_heading(catalogue.text("cli-heading-overrides"))
@@ -219,26 +225,31 @@ fn picture<const N: usize>(names: [&'static str; N], help: &str, catalogue: &Cat
 
 fn output(catalogue: &Catalogue) -> [Arg; 5] {
     let heading = catalogue.text("cli-heading-options");
-    let file = catalogue.text("cli-value-file");
     [
-        Arg::new("output")
-            .long("output")
-            .short('o')
-            .value_name(file)
-            .action(ArgAction::Append)
-            .value_parser(value_parser!(PathBuf))
-            .help(catalogue.format("cli-output", &[("forms", Format::extensions().into())])),
+        file(&Format::IN_FILES, "cli-output", catalogue),
         choice("format", Format::ON_STDOUT.map(Format::name), catalogue)
             .help(catalogue.text("cli-format")),
         choice("csv-dialect", Dialect::ALL.map(Dialect::name), catalogue)
             .help(catalogue.text("cli-csv-dialect")),
         choice("theme", [LIGHT, DARK], catalogue).help(catalogue.text("cli-theme")),
-        Arg::new("details")
-            .long("details")
-            .action(ArgAction::SetTrue)
-            .help(catalogue.text("cli-details")),
+        details("cli-details", catalogue),
     ]
     .map(|arg| arg.help_heading(heading.clone()))
+}
+
+/// Files to write, in one of these forms.
+fn file(forms: &[Format], help: &str, catalogue: &Catalogue) -> Arg {
+    Arg::new("output")
+        .long("output")
+        .short('o')
+        .value_name(catalogue.text("cli-value-file"))
+        .action(ArgAction::Append)
+        .value_parser(value_parser!(PathBuf))
+        .help(catalogue.format(help, &[("forms", Format::extensions(forms).into())]))
+}
+
+fn details(help: &str, catalogue: &Catalogue) -> Arg {
+    Arg::new("details").long("details").action(ArgAction::SetTrue).help(catalogue.text(help))
 }
 
 /// A flag with one of a few words; its help names them.

@@ -32,6 +32,7 @@ impl Report for ComparisonReport<'_> {
             Format::Csv => csv::write(self.comparison, style.dialect, out),
             Format::Json => json::write_comparison(self.comparison, out),
             Format::Svg | Format::Png => plot::write(&plot(), format, style.background, out),
+            Format::Html => Err(io::ErrorKind::Unsupported.into()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Everything as JSON, with the fields of the schemas in `schemas/`.
 
+mod article;
 mod comparison;
 mod document;
 mod score;
@@ -7,12 +8,15 @@ mod tidy;
 
 use std::io::{self, Write};
 
+use federpendel_report::article::Checks;
+use federpendel_text::Catalogue;
 use serde::Serialize;
 use serde_json::Serializer;
 
 use crate::comparison::Comparison;
 use crate::record::Record;
 use crate::score::Score;
+use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;
 use score::ScoreDocument;
@@ -28,6 +32,14 @@ pub(super) fn write_comparison(comparison: &Comparison, out: &mut dyn Write) -> 
 
 pub(super) fn write_score(score: &Score<'_>, out: &mut dyn Write) -> io::Result<()> {
     write_document(&ScoreDocument::new(score), out)
+}
+
+pub(super) fn write_article(
+    checks: &Checks,
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_document(&ArticleDocument::new(checks, catalogue), out)
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

@@ -77,6 +77,7 @@ impl Report for MotionReport<'_> {
             Format::Csv => csv::write(self.record, style.dialect, out),
             Format::Json => json::write(self.record, out),
             Format::Svg | Format::Png => plot::write(&plot()?, format, style.background, out),
+            Format::Html => Err(io::ErrorKind::Unsupported.into()),
         }
     }
 }

@@ -28,13 +28,15 @@ pub(crate) struct Targets {
 }
 
 impl Targets {
-    /// Takes the targets from the results.
+    /// Takes the targets from the results; files can have one of the `forms`, and the first of them is written to
+    /// standard output if that is named as a file.
     ///
     /// # Errors
     /// An extension that no form has, a folder, the same file twice.
     pub(crate) fn check(
         subject: &Subject,
         results: &Results,
+        forms: &[Format],
         catalogue: &Catalogue,
     ) -> Result<Self, Failure> {
         let mut files: Vec<(PathBuf, Format)> = Vec::new();
@@ -60,12 +62,13 @@ impl Targets {
             if path.exists() && !path.is_file() || real(path).is_symlink() {
                 return Err(refuse("cli-output-special"));
             }
-            let format = format_of(path, &name, catalogue)?;
+            let format = format_of(path, &name, forms, catalogue)?;
             in_a_folder(path, &name, catalogue)?;
             files.push((path.clone(), format));
         }
         // Someone who names standard output as a file wants data there, not prose.
-        let unsaid = if asks_stdout { Format::Csv } else { Format::Summary };
+        let data = forms.first().copied().filter(|_| asks_stdout);
+        let unsaid = data.unwrap_or(Format::Summary);
         Ok(Self {
             files,
             stdout: results.format.unwrap_or(unsaid),
@@ -88,12 +91,17 @@ fn in_a_folder(path: &Path, name: &str, catalogue: &Catalogue) -> Result<(), Fai
     }
 }
 
-fn format_of(path: &Path, name: &str, catalogue: &Catalogue) -> Result<Format, Failure> {
+fn format_of(
+    path: &Path,
+    name: &str,
+    forms: &[Format],
+    catalogue: &Catalogue,
+) -> Result<Format, Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
     let extension = extension.to_ascii_lowercase();
-    let known = Format::IN_FILES.into_iter().find(|format| format.name() == extension);
+    let known = forms.iter().copied().find(|format| format.name() == extension);
     known.ok_or_else(|| {
-        let allowed = Format::extensions();
+        let allowed = Format::extensions(forms);
         Failure::Input(
             catalogue.format(
                 "cli-output-extension",

@@ -7,15 +7,14 @@ use std::path::{Path, PathBuf};
 use federpendel_text::Catalogue;
 use tempfile::{Builder, NamedTempFile, TempPath};
 
-use super::Format;
 use super::targets::real;
 use crate::failure::Failure;
 
 /// Writes every file beside its place, then puts all in place.
-pub(super) fn write(
-    files: &[(PathBuf, Format)],
+pub(super) fn write<Form: Copy>(
+    files: &[(PathBuf, Form)],
     catalogue: &Catalogue,
-    render: impl Fn(Format, &mut dyn Write) -> io::Result<()>,
+    render: impl Fn(Form, &mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let failed =
         |path: &Path, error| Failure::system(catalogue, &path.display().to_string(), &error);
@@ -121,6 +120,7 @@ fn folder_of(place: &Path) -> &Path {
 mod tests {
     use federpendel_text::Language;
 
+    use super::super::Format;
     use super::*;
 
     /// Writes `old.csv`, `new.json` and `broken.svg`, whose place becomes a folder before anything is

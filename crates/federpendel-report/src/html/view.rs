@@ -1,4 +1,4 @@
-//! A document as the template sees it: numbered, and every text turned into HTML.
+//! A document as the template sees it: figures and tables numbered, and every text turned into HTML.
 
 use federpendel_text::Catalogue;
 use minijinja::Value;
@@ -31,7 +31,6 @@ pub struct View {
 #[derive(Serialize)]
 struct Part {
     id: String,
-    number: String,
     level: usize,
     heading: Html,
     blocks: Vec<Piece>,
@@ -77,7 +76,7 @@ impl View {
             name: writer.set.plain(&document.title)?,
             title: writer.set.text(&document.title)?,
             lead: writer.pieces(&document.lead)?,
-            sections: writer.parts(&document.sections, "", 2)?,
+            sections: writer.parts(&document.sections, 2)?,
             colophon: writer.set.text(&document.colophon)?,
         })
     }
@@ -88,7 +87,7 @@ fn is_worksheet(section: &Section) -> bool {
 }
 
 fn has_blanks(blocks: &[Block]) -> bool {
-    let blank = |claim: &Claim| claim.verdict.is_none() || claim.finding.is_none();
+    let blank = |claim: &Claim| claim.verdict.is_none();
     blocks.iter().any(|block| matches!(block, Block::Claims(claims) if claims.iter().any(blank)))
 }
 
@@ -101,24 +100,17 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Sections whose numbers begin with `above` and whose headings are of `level`.
-    fn parts(
-        &mut self,
-        sections: &[Section],
-        above: &str,
-        level: usize,
-    ) -> Result<Vec<Part>, PageError> {
+    /// Sections whose headings are of `level`.
+    fn parts(&mut self, sections: &[Section], level: usize) -> Result<Vec<Part>, PageError> {
         let mut parts = Vec::new();
-        for (place, section) in sections.iter().enumerate() {
-            let number = format!("{above}{}", place + 1);
+        for section in sections {
             parts.push(Part {
                 id: section.id.clone(),
                 // HTML knows six levels.
                 level: level.min(6),
                 heading: self.set.text(&section.heading)?,
                 blocks: self.pieces(&section.blocks)?,
-                sections: self.parts(&section.sections, &format!("{number}."), level + 1)?,
-                number,
+                sections: self.parts(&section.sections, level + 1)?,
             });
         }
         Ok(parts)

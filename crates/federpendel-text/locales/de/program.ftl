@@ -560,3 +560,20 @@ score-stored-value =
        *[other] { $samples } Zeiten mit Referenzwert
     }
 score-bound = Bewegung bekannt auf
+
+### Die Behauptungen des Artikels
+
+cli-article = Die Behauptungen des Artikels an einem Versuch nachrechnen und den Bericht schreiben
+cli-article-examples =
+    Beispiele:
+      federpendel article -o artikel.html
+      federpendel article mein.toml --lang de -o artikel.html
+      federpendel article --worksheet -o arbeitsblatt.html
+      federpendel article --stiffness "1 N/m" --details
+      federpendel article --format json > pruefungen.json
+cli-article-output = Datei, deren Endung die Form bestimmt: { $forms }; auch mehrfach
+cli-article-format = Was die Standardausgabe erhält: summary (Vorgabe) oder json
+cli-article-worksheet = Die Urteile der Seite für eine Klasse frei lassen; die Lösungen stehen in einer zweiten Datei daneben
+cli-article-details = Zu jeder Behauptung sagen, was berechnet und gefunden wurde
+article-solutions-file = -loesungen
+article-hint = -o artikel.html schreibt den Bericht; --details zeigt hier jede Behauptung.

@@ -9,14 +9,13 @@ report-table = Tabelle { $number }
 ## Eine Behauptung; auf einem Arbeitsblatt trägt man Urteil und Befund selbst ein
 
 report-claim = Behauptung
-report-equation = Gl.
 report-computed = Berechnet
 report-expected = Erwartet
 report-verdict = Urteil
-report-verdict-holds = trifft zu
-report-verdict-fails = trifft nicht zu
-report-verdict-holds-here = trifft hier zu
-report-verdict-not-applicable = nicht anwendbar
+report-verdict-holds = gilt
+report-verdict-fails = gilt nicht
+report-verdict-holds-here = gilt nur hier
+report-verdict-not-applicable = hier nicht entscheidbar
 report-finding = Befund
 
 ## Der Kopf eines Arbeitsblatts

@@ -1,26 +1,168 @@
-# The report on the article: its text.
+# The report on the article: its text. Formulas stand between dollar signs, in the notation of TeX, without braces.
 
-### Drawings
+### The whole
 
-sketch-guide = { $law ->
-   *[none] Mass on a horizontal guide, without friction
-    [stokes] Mass on a horizontal guide, in a viscous fluid
-    [coulomb] Mass on a horizontal guide, with dry friction
-    [newton] Mass on a horizontal guide, in a fluid with turbulent drag
-}
-    .description = A spring joins a mass to a wall on its left. The mass is displaced to the { $side ->
-       *[left] left of the position in which the spring is relaxed, and moves to the right
-        [right] right of the position in which the spring is relaxed, and moves to the left
-    }; the spring force points the same way as the velocity. Weight and normal force cancel each other. { $law ->
-       *[none] There is no friction.
-        [stokes] The friction force acts on the body, against the velocity.
-        [coulomb] The friction force acts where mass and guide touch, against the velocity.
-        [newton] The friction force acts on the body, against the velocity.
-    }
-sketch-loss = The energy that dry friction takes in half a period
-    .description = Above, the mass at the start, with the spring stretched by x0; below, half a period later, with the spring compressed by the shorter length x1. Beside each, the energy of the spring; between them, the way of length x0 + x1 and the work of friction along it.
-sketch-stream = Body in a stream of fluid
-    .description = Fluid streams from the left around a round body and tears off in eddies behind it. The friction force points downstream. It depends on the density of the fluid, on the frontal area and on the drag coefficient.
-    .density = density $ρ$
-    .area = area $A$
-    .coefficient = drag coefficient $c_w$
+article-title = The spring pendulum with friction: an article, checked
+article-title-worksheet = The spring pendulum with friction: worksheet
+article-title-solutions = The spring pendulum with friction: solutions to the worksheet
+article-lead = The German article “Das Federpendel mit verschiedenen Arten von Reibung” (The spring pendulum with different kinds of friction) follows a mass on a spring without friction, with Stokes (viscous), Coulomb (dry) and Newton (quadratic) friction: with formulas where it finds them, with a simple difference scheme elsewhere. This report goes through it section by section for one experiment and holds every claim against the motion itself, which is known in closed form without Newton friction and to rounding with it.
+article-own-values = The article has no numeric example, and the values behind its graphs are not known. For each graph that it mentions there is one of the same kind here, with the values of this experiment. Numbers in brackets are the article’s own equation numbers.
+article-result = Of the { $checks } claims checked here { $holds } hold and { $fails } fail.
+article-result-here = { $claims ->
+        [one] One is
+       *[other] { $claims } are
+    } wrong in general but right in number for this experiment.
+article-result-open = About { $claims ->
+        [one] one claim
+       *[other] { $claims } claims
+    } this experiment cannot tell.
+article-errata = What to correct in the article
+article-errata-text = All claims that do not hold, in the order of the article. What is right stands at the claim of the same number.
+article-task = Each claim stands beside what was computed and what would have come out if it were right. Decide: does it hold, does it fail, is it right in number for this experiment only, or can this experiment not tell? Say why.
+article-see-claims = The claims that do not hold
+article-colophon = Made by federpendel { $version }. Every number on this page was computed for this experiment.
+article-head-number = No.
+article-head-equation = Equation
+article-head-claim = Claim
+article-head-verdict = Verdict
+
+### The experiment
+
+article-experiment = The experiment
+article-experiment-text = A mass $m$ on a spring of stiffness $C$ is released at $x_0$ with the velocity $v_0$. Displacements count from where the spring is relaxed; of a mass that hangs, from where it hangs at rest.
+article-sketch-none = The mass and the force of the spring, without friction.
+article-sketch-stokes = The mass in a viscous fluid: the spring pulls it to the middle, friction acts against the velocity.
+article-sketch-newton = The mass in a fluid with eddies: friction acts against the velocity and grows with its square.
+article-sketch-coulomb = The mass on its guide, on its way back to the middle. Dry friction is drawn where it acts, at the contact with the guide, with the weight and the force that the guide answers with.
+article-experiment-motion = The motion of this experiment, with all its laws of friction at once ({ $mix }).
+article-quantities = Quantities of this report
+article-head-quantity = Quantity
+article-head-symbol = Symbol
+article-head-value = Value
+article-head-origin = Origin
+article-origin-given = given
+article-origin-built-in = built in
+article-origin-added = added
+article-origin-derived = derived
+article-quantity-force = force of dry friction
+article-quantity-omega = angular frequency without friction
+article-quantity-period = period without friction
+article-quantity-offset = offset of the middle
+article-quantity-rate = damping rate
+article-quantity-drag-rate = rate of Newton friction
+article-quantity-thrown = initial velocity, where the article has one
+article-lacks = The experiment has no { $laws }. The sections on it use built-in coefficients, marked in the table.
+article-faint = The { $laws } of the experiment is so weak that nothing of it would be seen. The sections on it use a built-in coefficient, marked in the table.
+article-added-velocity = The experiment is released from rest, or nearly so. Where the article lets the mass start with a velocity, { $velocity } is taken here, against and along the displacement.
+article-built-in-release = The experiment leaves the mass at rest in the middle, where nothing moves. Everywhere in this report it is released at { $position } instead.
+article-pressed = The force on the guide is given: where the article writes $\mu m g$, this report has $\mu F_N$.
+article-law-stokes = Stokes friction
+article-law-coulomb = Coulomb friction
+article-law-newton = Newton friction
+
+### 1 Without friction
+
+article-undamped = 1 Without friction
+article-undamped-text = Newton’s second law with Hooke’s spring gives the equation of motion. The article solves it twice.
+article-trigonometric = 1.1 First route: cosine and sine
+article-trigonometric-text = Two functions return to themselves, but for the sign, after two derivatives: cosine and sine. Each solves (3) if $\omega_0$ has the value (16), and so does their sum, whose two constants follow from the release.
+article-exponential = 1.2 Second route: exponentials
+article-exponential-text = The standard attempt for linear equations is an exponential. It leads to an equation for $\lambda$ with two imaginary roots, and Euler’s formula brings the sum of both solutions back to cosine and sine.
+article-undamped-figure = Both routes to the solution, (20) and (25), drawn over the motion without friction; below, their distance from it.
+article-name-20 = (20)
+article-name-25 = (25)
+
+### 2 Stokes
+
+article-stokes = 2 Stokes friction
+article-stokes-text = In a fluid that flows without eddies friction grows in proportion to the velocity, with the damping $D$. The equation stays linear, and the theory of linear equations applies as it stands.
+article-stokes-analytic = 2.1 Analytic solution
+article-stokes-roots-text = The exponential leads to the characteristic equation. Its roots decide how the mass moves.
+article-stokes-roots-figure = The roots (36) in the complex plane as $D$ grows from zero. Below critical damping they are a conjugate pair on the circle of radius $\omega_0$; they meet on the real axis at $-\omega_0$ and then part along it. Those of this experiment are marked.
+article-stokes-solution-text = Below critical damping the roots are $-\gamma \pm i\omega$, and the solution is an oscillation under an exponential. The article names the two other cases and does not pursue them; here they are drawn as well.
+article-stokes-regimes-figure = The same mass on the same spring, released in the same way, below, at and above critical damping.
+article-stokes-regime-below = below: γ = { $ratio } ω₀
+article-stokes-regime-critical = critical: γ = ω₀
+article-stokes-regime-above = above: γ = 2 ω₀
+article-stokes-numeric = 2.2 Numeric solution
+article-stokes-scheme-text = For the scheme the derivatives are replaced by difference quotients on a grid with the step $\Delta t$. Solved for the newest position they give a recursion, which needs one more position to start from.
+article-stokes-figure = The motion with Stokes friction, the formula (46) and the scheme (51) with $\Delta t$ = { $step }; below, their distance from the motion.
+article-name-46 = formula (46)
+article-name-51 = scheme (51)
+
+### 3 Coulomb
+
+article-coulomb = 3 Coulomb friction
+article-coulomb-text = Dry friction has the same strength at every speed and acts against the velocity. The equation of motion is linear between two turning points only, since its right side changes sign at each of them.
+article-coulomb-scheme = 3.1 Numeric solution
+article-coulomb-scheme-text = The article first looks at what the scheme makes of a release from rest, and takes from the graph that the amplitude falls linearly.
+article-coulomb-scheme-figure = A release from rest with Coulomb friction: the motion and the scheme (59) with $\Delta t$ = { $step }; below, its distance from the motion.
+article-name-59 = scheme (59)
+article-coulomb-rest = 3.2.1 Analytic solution for a release from rest
+article-coulomb-energy-text = If friction leaves the frequency alone, the solution should be a cosine whose amplitude falls at a constant rate $v_A$, (61). The rate follows from an energy argument: on the way from one turning point to the next, friction does as much work as the spring loses energy.
+article-coulomb-energy-sketch = The energy argument with the numbers of this experiment: from $x_0$ to the turning point $x_1$ on the other side, half a period later.
+article-coulomb-envelope-figure = The motion between its envelopes, with its turning points and the sticking band: where $|C x| \le \mu_s F_N$ a turning point holds the mass for ever.
+article-coulomb-formula-text = With the loss per half period (67) the article writes out the rate, (68), and inserts it, (69).
+article-coulomb-figure = Release from rest: the motion, formula (69) as printed, the same with the rate $\Delta x/(T/2)$, and the scheme (59); below, their distances from the motion.
+article-name-69 = (69), printed
+article-name-61 = (61), corrected
+article-coulomb-thrown = 3.2.2 Analytic solution for any release
+article-coulomb-thrown-text = For a release with a velocity the article writes the solution without friction as one sine with the amplitude $A$ and the phase $\varphi$, and lets the amplitude fall as before.
+article-coulomb-forward-figure = Release at $x_0$ = { $position } with $v_0$ = { $velocity }: the motion, (79) as printed, (78) with the phase in the right quadrant and the rate $\Delta x/(T/2)$, and the scheme (59); below, their distances from the motion.
+article-name-79 = (79), printed
+article-name-78 = (78), corrected
+article-coulomb-stuck = Dry friction is so strong here that the mass stays where it is released. There is no motion to draw.
+
+### 4 Newton
+
+article-newton = 4 Newton friction
+article-newton-text = In a fluid with eddies friction grows with the square of the velocity; $\rho$ is the density of the fluid, $c_w$ the drag coefficient and $A$ the area that meets the flow.
+article-newton-sketch = The mass in the fluid: the area $A$ meets the flow, and friction acts against the velocity.
+article-newton-scheme-text = The article keeps to the scheme and supposes that a series might lead to an analytic solution.
+article-newton-known-text = Two things can be added. Between two turning points a first integral gives the speed at every place, and with it the next turning point in closed form, by Lambert’s function $W$. And the series is carried out: position against time is known to rounding.
+article-newton-figure = The motion with Newton friction and the scheme (85) with $\Delta t$ = { $step }; below, its distance from the motion.
+article-name-85 = scheme (85)
+article-newton-decrement-figure = What each swing loses, against its mean amplitude.
+
+### Which friction is it?
+
+article-which = Which friction is it?
+article-which-text = Three masses, released alike, each with one law of friction. All three curves look like a fading oscillation. What tells the laws apart is what a swing loses: under Coulomb friction always the same, under Stokes friction a fixed share of the amplitude, under Newton friction a share that itself grows with the amplitude.
+article-which-motions-figure = Three motions, one law of friction each.
+article-which-losses-figure = The decrement plot of the same three motions: loss of amplitude per swing against mean amplitude. Coulomb friction is a level line (intercept $2f$), Stokes friction a straight line through zero (slope $\pi\gamma/\omega_0$), Newton friction a parabola through zero (curvature $4\kappa/3$). A mix is the sum of these.
+article-which-table = How the laws differ
+article-which-head-law = Law
+article-which-head-loss = Loss per swing
+article-which-head-decay = Decay of the amplitude
+article-which-head-measured = First swing here
+article-which-linear = linear, ends at rest
+article-which-exponential = exponential
+article-which-hyperbolic = hyperbolic
+
+### How wrong is the simple scheme?
+
+article-scheme = How wrong is the simple scheme?
+article-scheme-order-text = Halve the step: a method of second order then leaves a quarter of its error, one of first order half. The central quotient (49) is of second order, the backward quotient (48) of first order only. Dry friction takes more: no step falls on a reversal, and on the step that holds one, friction acts in the wrong direction for a while.
+article-scheme-order-figure = Largest error of the scheme against the step, without friction and with each law, over six halvings.
+article-scheme-name-none = no friction
+article-scheme-name-stokes = Stokes
+article-scheme-name-coulomb = Coulomb
+article-scheme-name-newton = Newton
+article-scheme-table = Order of the scheme
+article-scheme-head-friction = Friction
+article-scheme-head-order = Order observed
+article-scheme-head-error = Largest error, shortest step
+article-scheme-rest-text = In the scheme, friction has no value at rest, since sign(0) = 0. It cannot hold the mass: where the mass sticks, the scheme’s velocity changes sign from step to step, and the position creeps to the middle. Moreau–Jean time stepping does not compute friction from the velocity before the step; it asks which friction, within its limits, brings the velocity to zero at the end of the step, and lets the mass stick if there is one.
+article-scheme-rest-figure = After the rest, seen closely: the motion, the article’s scheme and Moreau–Jean time stepping, all with $\Delta t$ = { $step }.
+article-scheme-rest-table = After the rest
+article-scheme-head-method = Method
+article-scheme-head-place = Place at { $time }
+article-scheme-head-rests = Rests
+article-scheme-head-creep = Creep
+article-scheme-motion = the motion
+article-scheme-own = article’s scheme
+article-scheme-moreau = Moreau–Jean
+article-yes = yes
+article-no = no
+
+

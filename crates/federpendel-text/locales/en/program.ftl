@@ -560,3 +560,20 @@ score-stored-value =
        *[other] { $samples } stored times
     }
 score-bound = motion known to
+
+### The article's claims
+
+cli-article = Check the claims of the article for an experiment and write the report
+cli-article-examples =
+    Examples:
+      federpendel article -o article.html
+      federpendel article my.toml --lang de -o artikel.html
+      federpendel article --worksheet -o sheet.html
+      federpendel article --stiffness "1 N/m" --details
+      federpendel article --format json > checks.json
+cli-article-output = File to write, by its extension: { $forms }; may be repeated
+cli-article-format = What standard output gets: summary (default) or json
+cli-article-worksheet = Leave the verdicts of the page blank for a class; the solutions are written beside it
+cli-article-details = Tell of every claim what was computed and found
+article-solutions-file = -solutions
+article-hint = -o article.html writes the report; --details tells of every claim here.

@@ -9,14 +9,13 @@ report-table = Table { $number }
 ## A claim; in a worksheet the reader fills in the verdict and the finding
 
 report-claim = Claim
-report-equation = Eq.
 report-computed = Computed
 report-expected = Expected
 report-verdict = Verdict
 report-verdict-holds = holds
 report-verdict-fails = fails
-report-verdict-holds-here = holds here
-report-verdict-not-applicable = not applicable
+report-verdict-holds-here = holds here only
+report-verdict-not-applicable = cannot be told here
 report-finding = Finding
 
 ## The head of a worksheet

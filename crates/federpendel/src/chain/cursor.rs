@@ -196,6 +196,15 @@ impl<'m> Cursor<'m> {
         self.until
     }
 
+    /// Until when, s, one formula gives the motion from this swing on: without dry friction it goes through turning
+    /// points.
+    pub fn formula_until(&self) -> f64 {
+        match &self.course {
+            Course::Linear(chain) => chain.formula_until().max(self.until),
+            Course::Series(_) | Course::Stop(_) => self.until,
+        }
+    }
+
     /// The chain in closed form that the cursor is on, if it is on one.
     pub fn linear(&self) -> Option<&LinearChain> {
         match &self.course {

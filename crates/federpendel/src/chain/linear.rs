@@ -92,6 +92,16 @@ impl LinearChain {
         self.last
     }
 
+    /// Until when, s, one formula holds for all swings: until the rest, if no dry friction moves their centres, else
+    /// not at all.
+    pub fn formula_until(&self) -> f64 {
+        match self.last {
+            _ if self.reduced.offset.hi() > 0.0 => 0.0,
+            Last::At(index) => self.start(index).time(&self.reduced),
+            Last::Never | Last::Beyond => f64::INFINITY,
+        }
+    }
+
     /// Duration of a swing from rest, ω0 t.
     pub fn repeat_duration(&self) -> Option<f64> {
         self.repeat.map(|repeat| repeat.duration.into())

@@ -1,4 +1,4 @@
-//! One run of samples on one swing.
+//! One run of samples in one formula: on one swing, or on many where a formula goes on through turning points.
 
 use std::hint::black_box;
 
@@ -8,14 +8,16 @@ use crate::chain::Frame;
 use crate::chain::cursor::Cursor;
 use crate::double::Double;
 use crate::oscillator::Reduced;
-use crate::sampling::grid::{Carried, Grid};
+use crate::sampling::carry::Carry;
+use crate::sampling::grid::Grid;
 use crate::sampling::lanes::{
     ALL_TERMS, FEW_TERMS, FEW_TERMS_REACH, LANES, Lanes, each, exp, mul_add, polynomial, sin_cos,
 };
+use crate::sampling::steps::Steps;
 use crate::sampling::times::{Clock, Times};
 use crate::swing::piece::{DEGREE, Piece};
 
-/// The samples `first`, `first` + 1, … as many as the buffers hold, all on the swing under the cursor.
+/// The samples `first`, `first` + 1, … as many as the buffers hold, from the swing under the cursor on.
 pub(crate) struct Run<'a> {
     pub cursor: &'a Cursor<'a>,
     pub reduced: &'a Reduced,
@@ -49,11 +51,19 @@ impl Run<'_> {
         }
         match self.cursor.linear() {
             None => self.series::<FUSED>(),
-            Some(chain) => match chain.wave() {
-                Some(wave) if wave.0 < LONGEST_WAVE => self.oscillation::<FUSED>(wave),
+            Some(chain) => match (self.times.carried(), chain.wave()) {
+                (Some((grid, steps)), _) => self.carried::<FUSED>(grid, steps),
+                (None, Some(wave)) if wave.0 < LONGEST_WAVE => self.oscillation::<FUSED>(wave),
                 _ => self.one_by_one(),
             },
         }
+    }
+
+    /// A linear motion on an even grid, on this swing or from it on.
+    #[inline(always)]
+    fn carried<const FUSED: bool>(&mut self, grid: &Grid, steps: &Steps) {
+        let tau = f64::from(grid.tau(self.first) - self.cursor.start().tau);
+        self.store::<FUSED>(Carry::new(grid, steps, self.cursor.framed_at(tau)));
     }
 
     fn clock(&self, origin: Double) -> Clock {
@@ -82,19 +92,11 @@ impl Run<'_> {
         let oscillation = Oscillation::new(y0.into(), w0, zeta, (duration, decay));
         let farthest = 0.5 * zeta * duration;
         if zeta == 0.0 {
-            self.store_oscillation::<FUSED>(&clock, &Damped::<0>(oscillation));
+            self.store::<FUSED>(Direct::new(&clock, &Damped::<0>(oscillation)));
         } else if farthest <= FEW_TERMS_REACH {
-            self.store_oscillation::<FUSED>(&clock, &Damped::<FEW_TERMS>(oscillation));
+            self.store::<FUSED>(Direct::new(&clock, &Damped::<FEW_TERMS>(oscillation)));
         } else {
-            self.store_oscillation::<FUSED>(&clock, &Damped::<ALL_TERMS>(oscillation));
-        }
-    }
-
-    #[inline(always)]
-    fn store_oscillation<const FUSED: bool>(&mut self, clock: &Clock, stretch: &impl Stretch) {
-        match self.times {
-            Times::Any(_) => self.store::<FUSED>(Direct::new(clock, stretch)),
-            Times::Even(grid) => self.store::<FUSED>(Carry::new(clock, stretch, grid)),
+            self.store::<FUSED>(Direct::new(&clock, &Damped::<ALL_TERMS>(oscillation)));
         }
     }
 
@@ -154,7 +156,7 @@ impl Run<'_> {
 }
 
 /// Where the states of a run come from.
-trait Source {
+pub(crate) trait Source {
     /// (y, w) of block `block` of the run, the times of which start at index `first`.
     fn block<const FUSED: bool>(
         &mut self,
@@ -185,39 +187,6 @@ impl<S: Stretch> Source for Direct<'_, S> {
         _: usize,
     ) -> (Lanes, Lanes) {
         self.stretch.state::<FUSED>(&self.clock.read::<FUSED>(&times.lanes::<FUSED>(first)))
-    }
-}
-
-/// On an even grid, most states carried on from one before.
-struct Carry<'a, S> {
-    clock: &'a Clock,
-    oscillation: &'a S,
-    grid: &'a Grid,
-    from: Carried,
-}
-
-impl<'a, S: Stretch> Carry<'a, S> {
-    fn new(clock: &'a Clock, oscillation: &'a S, grid: &'a Grid) -> Self {
-        let from = Carried { y: [0.0; LANES], w: [0.0; LANES], lag: [0.0; LANES] };
-        Carry { clock, oscillation, grid, from }
-    }
-}
-
-impl<S: Stretch> Source for Carry<'_, S> {
-    #[inline(always)]
-    fn block<const FUSED: bool>(
-        &mut self,
-        _: &Times,
-        first: usize,
-        block: usize,
-    ) -> (Lanes, Lanes) {
-        let (times, lag) = self.grid.lanes::<FUSED>(first);
-        if let Some(transfer) = self.grid.transfer(block) {
-            return self.grid.carry::<FUSED>(&self.from, transfer, &lag);
-        }
-        let (y, w) = self.oscillation.state::<FUSED>(&self.clock.read::<FUSED>(&times));
-        self.from = Carried { y, w, lag };
-        (y, w)
     }
 }
 

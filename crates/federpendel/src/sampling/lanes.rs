@@ -1,6 +1,8 @@
 //! Elementary functions on several numbers at once, as plain loops that the compiler turns into
 //! vector instructions where [`pulp`] has found them at run time.
 
+use crate::double::PI;
+
 /// Numbers worked on together: one register of the widest machines, several of others.
 pub(crate) const LANES: usize = 8;
 
@@ -59,8 +61,16 @@ pub(crate) fn polynomial<const FUSED: bool, const TERMS: usize>(
 ) -> Lanes {
     let square: Lanes = each(|i| x[i] * x[i]);
     let (pairs, single) = coefficients.as_chunks::<2>();
-    let (mut even, mut odd) = ([single.first().copied().unwrap_or(0.0); LANES], [0.0; LANES]);
-    for [c, d] in pairs.iter().rev() {
+    let Some(([c, d], lower)) = pairs.split_last() else {
+        return [single.first().copied().unwrap_or(0.0); LANES];
+    };
+    // The highest coefficients stand as they are: a sum that began with zero would multiply it.
+    let mut even = match single {
+        [highest] => each(|i| mul_add::<FUSED>(*highest, square[i], *c)),
+        _ => [*c; LANES],
+    };
+    let mut odd = [*d; LANES];
+    for [c, d] in lower.iter().rev() {
         for i in 0..LANES {
             even[i] = mul_add::<FUSED>(even[i], square[i], *c);
             odd[i] = mul_add::<FUSED>(odd[i], square[i], *d);
@@ -81,6 +91,40 @@ pub(crate) fn sin_cos<const FUSED: bool>(x: &Lanes) -> (Lanes, Lanes) {
         mul_add::<FUSED>(square[i], rest, 1.0)
     });
     (sin, cos)
+}
+
+/// sin and cos of n (`phase`.0 + `phase`.1) for integers n, to rounding however many turns that is below 2⁵⁰: the
+/// angle is reduced to |φ| ≤ π/2 in doubled precision.
+#[inline(always)]
+pub(crate) fn sin_cos_of_multiples<const FUSED: bool>(
+    phase: (f64, f64),
+    n: &Lanes,
+) -> (Lanes, Lanes) {
+    let product = each(|i| phase.0 * n[i]);
+    let low = each(|i| {
+        mul_add::<FUSED>(phase.1, n[i], product_error::<FUSED>(phase.0, n[i], product[i]))
+    });
+    let half_turns = each(|i| nearest(product[i] * std::f64::consts::FRAC_1_PI));
+    let rest = each(|i| {
+        let turned = half_turns[i] * PI.hi();
+        let turned_low = product_error::<FUSED>(half_turns[i], PI.hi(), turned);
+        let turned_low = mul_add::<FUSED>(half_turns[i], PI.lo(), turned_low);
+        (product[i] - turned) + (low[i] - turned_low)
+    });
+    let (sin, cos) = sin_cos::<FUSED>(&rest);
+    let sign = each(|i| {
+        let odd = half_turns[i] - 2.0 * nearest(0.5 * half_turns[i]);
+        1.0 - 2.0 * odd * odd
+    });
+    (each(|i| sign[i] * sin[i]), each(|i| sign[i] * cos[i]))
+}
+
+/// The nearest integer for |x| < 2⁵¹. Beside so large a number a sum has no digits after the point; the rounding of
+/// the library would be a call for each number.
+#[inline(always)]
+fn nearest(x: f64) -> f64 {
+    const LARGE: f64 = 1.5 * (1_u64 << 52) as f64;
+    (x + LARGE) - LARGE
 }
 
 /// e^x by `TERMS` terms of its series: with [`FEW_TERMS`] for |x| ≤ [`FEW_TERMS_REACH`], with all of them for
@@ -124,6 +168,7 @@ const fn factorials<const N: usize>(first: usize, step: usize, sign: f64) -> [f6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::double::Double;
 
     /// Against the system's library, both with and without fused operations.
     #[test]
@@ -144,6 +189,25 @@ mod tests {
             check(all, exp::<false, ALL_TERMS>(&[all; LANES]), 4.5e-16 * all.exp().max(1.0));
         };
         (-1570..=1570).for_each(|i| check_at(f64::from(i) * 1e-3));
+    }
+
+    /// Against the library at a phase reduced in doubled precision.
+    #[test]
+    fn multiples_of_a_phase_keep_their_digits() {
+        let phase = Double::from(0.7) / 3.0;
+        for n in [0.0, 1.0, 6.0, 7.0, 13.0, 14.0, 41.0, 1e4 + 1.0, 1e7 + 3.0, 1e9 + 7.0] {
+            let turns = (phase * n / (2.0 * PI)).hi().floor();
+            let rest = (phase * n - 2.0 * PI * turns).hi();
+            let parts = (phase.hi(), phase.lo());
+            let (lanes, expected) = ([n; LANES], (rest.sin(), rest.cos()));
+            for (sin, cos) in [
+                sin_cos_of_multiples::<true>(parts, &lanes),
+                sin_cos_of_multiples::<false>(parts, &lanes),
+            ] {
+                assert!((sin[0] - expected.0).abs() <= 7e-16, "{n} {} {}", sin[0], expected.0);
+                assert!((cos[0] - expected.1).abs() <= 7e-16, "{n} {} {}", cos[0], expected.1);
+            }
+        }
     }
 
     #[test]

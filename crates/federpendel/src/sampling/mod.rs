@@ -1,8 +1,10 @@
 //! Whole records: positions and velocities at many times, swing after swing, several at once.
 
+mod carry;
 mod grid;
 mod kernel;
 pub(crate) mod lanes;
+mod steps;
 mod times;
 
 use crate::error::Result;
@@ -50,7 +52,9 @@ pub(crate) fn fill(
             return fill_unsorted(motion, times, positions, velocities);
         }
         cursor.seek(motion.chain(), time)?;
-        let end = times.run_end(first, cursor.from(), cursor.until());
+        // Carried on, the formula of a swing goes beyond its end.
+        let until = if times.carried().is_some() { cursor.formula_until() } else { cursor.until() };
+        let end = times.run_end(first, cursor.from(), until);
         arch.dispatch(kernel::Run {
             cursor: &cursor,
             reduced: motion.oscillator().reduced(),

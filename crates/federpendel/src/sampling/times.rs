@@ -5,6 +5,7 @@ use crate::motion::even_time;
 use crate::parameter;
 use crate::sampling::grid::Grid;
 use crate::sampling::lanes::{LANES, Lanes, each, mul_add, product_error};
+use crate::sampling::steps::Steps;
 
 /// Far more than rounding can move a sample, in samples over the index of the sample.
 const CLEAR: f64 = 1e-12;
@@ -28,6 +29,14 @@ impl Times<'_> {
         match *self {
             Times::Any(times) => times[i],
             Times::Even(grid) => even_time(grid.duration, grid.last, i as f64),
+        }
+    }
+
+    /// The grid on which a linear motion is carried on, where it is.
+    pub fn carried(&self) -> Option<(&Grid, &Steps)> {
+        match self {
+            Times::Any(_) => None,
+            Times::Even(grid) => Some((grid, grid.steps()?)),
         }
     }
 
@@ -69,7 +78,7 @@ impl Times<'_> {
                 Some(chunk) => *chunk,
                 None => each(|k| times.get(i + k).copied().unwrap_or(0.0)),
             },
-            Times::Even(grid) => grid.lanes::<FUSED>(i).0,
+            Times::Even(grid) => grid.lanes::<FUSED>(i),
         }
     }
 }

@@ -23,8 +23,19 @@ pub(crate) struct Transfer {
 }
 
 impl Transfer {
+    /// From cos φ and sin φ/√(1 − ζ²) of the phase φ = √(1 − ζ²) τ, their hyperbolic kin beyond critical damping,
+    /// and `decay` e^(−ζτ).
     #[inline(always)]
-    pub fn apply(&self, y0: f64, w0: f64) -> (f64, f64) {
+    pub fn new(zeta: f64, cos: f64, sinc: f64, decay: f64) -> Self {
+        Transfer {
+            yy: decay * (cos + zeta * sinc),
+            yw: decay * sinc,
+            ww: decay * (cos - zeta * sinc),
+        }
+    }
+
+    #[inline(always)]
+    pub fn apply(&self, (y0, w0): (f64, f64)) -> (f64, f64) {
         (self.yy * y0 + self.yw * w0, self.ww * w0 - self.yw * y0)
     }
 }
@@ -72,16 +83,12 @@ impl Propagator {
         // sin(r τ)/r tends to τ where r vanishes, at critical damping.
         let sinc = if angle.abs() < 1e-8 { tau } else { sin / self.root };
         let decay = (-self.zeta * tau).exp();
-        Transfer {
-            yy: decay * (cos + self.zeta * sinc),
-            yw: decay * sinc,
-            ww: decay * (cos - self.zeta * sinc),
-        }
+        Transfer::new(self.zeta, cos, sinc, decay)
     }
 
     /// State after `tau` from (y0, w0).
     pub fn state(&self, tau: f64, y0: f64, w0: f64) -> (f64, f64) {
-        self.transfer(tau).apply(y0, w0)
+        self.transfer(tau).apply((y0, w0))
     }
 
     /// Time until the velocity w0 < 0 becomes zero; `None` if it never does.

@@ -23,12 +23,12 @@ impl Piece {
     /// (y, w) at the time `tau` of the swing.
     pub fn state(&self, tau: f64) -> (f64, f64) {
         let u = (tau - self.center) * self.inverse_scale;
-        (horner::<false>(&self.position, u), horner::<false>(&self.velocity, u))
+        (polynomial::<false>(&self.position, u), polynomial::<false>(&self.velocity, u))
     }
 
     /// w at the time `tau` of the swing.
     pub fn velocity_at(&self, tau: f64) -> f64 {
-        horner::<false>(&self.velocity, (tau - self.center) * self.inverse_scale)
+        polynomial::<false>(&self.velocity, (tau - self.center) * self.inverse_scale)
     }
 
     /// How many terms are enough for this piece if it ends at `end`: all, or one of [`FEWER_TERMS`].
@@ -54,12 +54,22 @@ impl Piece {
     }
 }
 
-/// The value of the polynomial with these coefficients, lowest first.
+/// The value of the polynomial with these coefficients, lowest first; as even and odd halves like
+/// [`crate::sampling::lanes::polynomial`], which wait half as long as Horner's scheme.
 #[inline(always)]
-pub(crate) fn horner<const FUSED: bool>(coefficients: &[f64], u: f64) -> f64 {
-    let mut sum = 0.0;
-    for c in coefficients.iter().rev() {
-        sum = mul_add::<FUSED>(sum, u, *c);
+pub(crate) fn polynomial<const FUSED: bool>(coefficients: &[f64], u: f64) -> f64 {
+    let square = u * u;
+    let (pairs, single) = coefficients.as_chunks::<2>();
+    let (mut even, mut odd) = (single.first().copied().unwrap_or(0.0), 0.0);
+    for [c, d] in pairs.iter().rev() {
+        even = mul_add::<FUSED>(even, square, *c);
+        odd = mul_add::<FUSED>(odd, square, *d);
     }
-    sum
+    mul_add::<FUSED>(u, odd, even)
+}
+
+/// Coefficients of the derivative.
+#[inline(always)]
+pub(crate) fn derivative(coefficients: &[f64; DEGREE + 1]) -> [f64; DEGREE] {
+    std::array::from_fn(|n| (n + 1) as f64 * coefficients[n + 1])
 }

@@ -17,7 +17,7 @@ use crate::double::Double;
 use crate::swing::collocation::{
     Matrix, NODES, Nodal, POSITION_TERMS, STAGES, TABLES, Vector, antiderivative, dot, eliminate,
 };
-use crate::swing::piece::{DEGREE, Piece, horner};
+use crate::swing::piece::{DEGREE, Piece, derivative, polynomial};
 use crate::swing::{End, NotFollowed};
 
 const _: () = assert!(POSITION_TERMS <= DEGREE + 1);
@@ -176,24 +176,24 @@ impl Step {
         let after = (1..NODES).find(|&j| self.w[j] >= 0.0 && self.y[j] < 0.0)?;
         let (mut low, mut high) = (TABLES.node[after - 1], TABLES.node[after]);
         let Piece { position, velocity, .. } = self.piece(0.0);
-        let slope: [f64; DEGREE] = std::array::from_fn(|k| velocity[k + 1] * (k + 1) as f64);
+        let slope = derivative(&velocity);
         // Newton's method on the polynomial, kept inside the bracket by bisection.
         let mut u = 0.5 * (low + high);
         for _ in 0..60 {
-            let w = horner::<false>(&velocity, u);
+            let w = polynomial::<false>(&velocity, u);
             if w < 0.0 {
                 low = u
             } else {
                 high = u
             }
-            let newton = u - w / horner::<false>(&slope, u);
+            let newton = u - w / polynomial::<false>(&slope, u);
             let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
             if (next - u).abs() <= 1e-17 {
                 break;
             }
             u = next;
         }
-        Some((0.5 * self.length * (1.0 + u), horner::<false>(&position, u)))
+        Some((0.5 * self.length * (1.0 + u), polynomial::<false>(&position, u)))
     }
 }
 

@@ -9,7 +9,7 @@
 //! coefficients are about as large as u0, whatever the units are.
 
 use crate::swing::NotFollowed;
-use crate::swing::piece::{DEGREE, Piece, horner};
+use crate::swing::piece::{DEGREE, Piece, polynomial};
 
 /// The constants of the swing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,14 +51,14 @@ impl Stop {
                 position: d.map(|c| -c),
                 velocity: u.map(|c| -c),
             });
-            let ends = horner::<false>(&u, reach) <= 0.0;
+            let ends = polynomial::<false>(&u, reach) <= 0.0;
             let step = if ends { root(&u, reach) } else { reach };
             tau += scale * step;
-            distance = horner::<false>(&d, step);
+            distance = polynomial::<false>(&d, step);
             if ends {
                 return Ok(Stopped { tau, distance });
             }
-            speed = horner::<false>(&u, step);
+            speed = polynomial::<false>(&u, step);
         }
         Err(NotFollowed)
     }
@@ -98,7 +98,7 @@ fn root(u: &[f64; DEGREE + 1], mut high: f64) -> f64 {
         if middle <= low || middle >= high {
             return high;
         }
-        if horner::<false>(u, middle) > 0.0 { low = middle } else { high = middle }
+        if polynomial::<false>(u, middle) > 0.0 { low = middle } else { high = middle }
     }
 }
 

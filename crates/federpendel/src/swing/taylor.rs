@@ -12,7 +12,7 @@ use crate::double::{Double, PI};
 use crate::oscillator::Reduced;
 use crate::sampling::lanes::mul_add;
 use crate::swing::linear::Propagator;
-use crate::swing::piece::{DEGREE, Piece, horner};
+use crate::swing::piece::{DEGREE, Piece, derivative, polynomial};
 use crate::swing::{End, NotFollowed};
 
 /// The constants of all swings of a motion.
@@ -93,6 +93,15 @@ struct Expansion {
     p: [f64; DEGREE + 1],
     /// Up to here, either way, the series is good to rounding.
     radius: f64,
+}
+
+impl Expansion {
+    /// (z, z′) so long after the centre.
+    #[inline(always)]
+    fn drag<const FUSED: bool>(&self, time: f64) -> (f64, f64) {
+        let slope = derivative(&self.z);
+        (polynomial::<FUSED>(&self.z, time), polynomial::<FUSED>(&slope, time))
+    }
 }
 
 /// Longest reach of one series; a linear swing would allow a little more at this degree.
@@ -202,14 +211,13 @@ impl Taylor {
             let expansion = self.expand::<FUSED>(l, z);
             self.keep(pieces.as_deref_mut(), tau, &expansion);
             let reach = expansion.radius;
-            if horner::<FUSED>(&expansion.p, reach) >= 0.0 {
+            if polynomial::<FUSED>(&expansion.p, reach) >= 0.0 {
                 let guess = self.half_period.map_or(reach, |duration| duration.hi() - tau);
                 let root = reversal::<FUSED>(&expansion.p, guess, reach);
-                let z = (horner::<FUSED>(&expansion.z, root), slope::<FUSED>(&expansion.z, root));
-                return Ok(linear.end(tau + root, z));
+                return Ok(linear.end(tau + root, expansion.drag::<FUSED>(root)));
             }
             let step = self.step(tau, reach);
-            z = (horner::<FUSED>(&expansion.z, step), slope::<FUSED>(&expansion.z, step));
+            z = expansion.drag::<FUSED>(step);
             tau += step;
             l = linear.state(tau);
             let (y, w) = (l.0 + z.0, l.1 + z.1);
@@ -302,30 +310,21 @@ impl Recurrence {
     }
 }
 
-/// Derivative of the polynomial at `u`.
-#[inline(always)]
-fn slope<const FUSED: bool>(coefficients: &[f64; DEGREE + 1], u: f64) -> f64 {
-    let mut sum = 0.0;
-    for n in (1..=DEGREE).rev() {
-        sum = mul_add::<FUSED>(sum, u, n as f64 * coefficients[n]);
-    }
-    sum
-}
-
 /// The time within `step` at which the velocity, a series `p`, rises through zero: Newton's method
 /// from `guess`, kept inside a bracket.
 #[inline(always)]
 fn reversal<const FUSED: bool>(p: &[f64; DEGREE + 1], guess: f64, step: f64) -> f64 {
     let (mut low, mut high) = (0.0, step);
+    let slope = derivative(p);
     let mut u = if guess > low && guess < high { guess } else { step };
     for _ in 0..100 {
-        let w = horner::<FUSED>(p, u);
+        let w = polynomial::<FUSED>(p, u);
         if w >= 0.0 {
             high = u;
         } else {
             low = u;
         }
-        let newton = u - w / slope::<FUSED>(p, u);
+        let newton = u - w / polynomial::<FUSED>(&slope, u);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - u).abs() <= 3e-5 * u || next == low || next == high {
             // Each step squares the error; the one after this, below rounding, is taken by the caller.

@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use federpendel::{Motion, Oscillator, Outcome};
+use crate::motion::Motion;
+use crate::oscillator::Oscillator;
+use crate::outcome::Outcome;
 
 /// Periods shown of a motion that does not come to rest.
 const PERIODS: f64 = 12.0;
@@ -16,21 +18,31 @@ const TIME_CONSTANTS: f64 = 10.0;
 /// A period this much longer than the undamped one tells of creeping rather than swinging.
 const STRETCHED: f64 = 20.0;
 
-/// Shortly after rest, on a round number; 12 periods (and a rounding more, so that the turning point at
-/// their end belongs to them) if it never rests, or only after 200; ten time
-/// constants where Stokes friction leaves no period.
-pub(crate) fn default_duration(motion: &Motion, outcome: &Outcome) -> f64 {
-    let oscillator = motion.oscillator();
-    let undamped = 2.0 * PI / oscillator.angular_frequency();
-    let period = oscillator.period().filter(|period| *period <= STRETCHED * undamped);
-    let longest = PATIENCE * period.unwrap_or(undamped);
-    match outcome {
-        Outcome::Rests(rest) if rest.time == 0.0 => undamped,
-        Outcome::Rests(rest) if rest.time <= longest => round_up(1.02 * rest.time),
-        _ => period.map_or_else(
-            || TIME_CONSTANTS * time_constant(oscillator),
-            |t| PERIODS * t * (1.0 + 8.0 * f64::EPSILON),
-        ),
+impl Motion {
+    /// A length of record that shows the motion, s: shortly after rest, on a round number; 12 periods (and a
+    /// rounding more, so that the turning point at their end belongs to them) if it never rests, or only after
+    /// 200; ten time constants where Stokes friction leaves no period.
+    ///
+    /// ```
+    /// # use federpendel::{Coulomb, Motion, NormalForce, Oscillator, State};
+    /// let dry = Coulomb::new(0.02, 0.02, NormalForce::Weight(9.81))?;
+    /// let motion = Motion::new(Oscillator::new(0.5, 20.0, dry)?, State::new(0.1, 0.0)?)?;
+    /// assert_eq!(motion.default_duration(), 5.5); // it rests after 4.967 s
+    /// # Ok::<(), federpendel::Error>(())
+    /// ```
+    pub fn default_duration(&self) -> f64 {
+        let oscillator = self.oscillator();
+        let undamped = 2.0 * PI / oscillator.angular_frequency();
+        let period = oscillator.period().filter(|period| *period <= STRETCHED * undamped);
+        let longest = PATIENCE * period.unwrap_or(undamped);
+        match self.outcome() {
+            Outcome::Rests(rest) if rest.time == 0.0 => undamped,
+            Outcome::Rests(rest) if rest.time <= longest => round_up(1.02 * rest.time),
+            _ => period.map_or_else(
+                || TIME_CONSTANTS * time_constant(oscillator),
+                |t| PERIODS * t * (1.0 + 8.0 * f64::EPSILON),
+            ),
+        }
     }
 }
 
@@ -59,12 +71,13 @@ fn round_up(time: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use federpendel::{Coulomb, Friction, NormalForce, State, Stokes};
+    use crate::friction::{Coulomb, Friction, NormalForce, Stokes};
+    use crate::oscillator::State;
 
     fn duration(friction: impl Into<Friction>, x0: f64) -> f64 {
         let oscillator = Oscillator::new(0.5, 20.0, friction).unwrap();
         let motion = Motion::new(oscillator, State::new(x0, 0.0).unwrap()).unwrap();
-        default_duration(&motion, &motion.outcome())
+        motion.default_duration()
     }
 
     fn coulomb(kinetic: f64) -> Coulomb {
@@ -90,7 +103,7 @@ mod tests {
         for damping in [6.33, 40.0, 4000.0] {
             let oscillator = Oscillator::new(0.5, 20.0, Stokes::new(damping).unwrap()).unwrap();
             let motion = Motion::new(oscillator, State::new(0.1, 0.0).unwrap()).unwrap();
-            let end = motion.at(default_duration(&motion, &motion.outcome())).unwrap();
+            let end = motion.at(motion.default_duration()).unwrap();
             assert!(end.position.abs() < 1e-3 * 0.1, "{damping}: {}", end.position);
         }
     }

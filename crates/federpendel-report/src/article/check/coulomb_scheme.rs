@@ -1,0 +1,152 @@
+//! Section 3.1: the equation with dry friction, and what the scheme makes of it.
+
+use federpendel::scheme::Setting;
+use federpendel::scheme::article::Scheme;
+use federpendel::{Motion, Outcome, Result, State, lens};
+
+use super::measure::{
+    article_scheme, friction, later, range, residual, scheme, scheme_order, turning_points,
+};
+use super::quotients::{NEAR, residual_check};
+use super::{Check, ROUNDING};
+use crate::article::{Case, Laboratory};
+
+pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
+    let case = &laboratory.coulomb;
+    Ok(vec![
+        force(case)?,
+        opposes(&laboratory.thrown[0])?,
+        no_static_friction(case)?,
+        recursion(case)?,
+        start(case)?,
+        linear_decay(case),
+        never_rests(case)?,
+        scheme_order_with(case),
+    ])
+}
+
+/// The offset f and half the width of the sticking band, m.
+fn offsets(case: &Case) -> (f64, f64) {
+    (case.oscillator().offset(), case.oscillator().sticking_offset())
+}
+
+/// μ F_N/m, m/s²: dry friction over the mass.
+fn friction_over_mass(case: &Case) -> f64 {
+    let oscillator = case.oscillator();
+    oscillator.offset() * oscillator.stiffness() / oscillator.mass()
+}
+
+/// The force of friction that the acceleration tells of, at every speed.
+fn force(case: &Case) -> Result<Check> {
+    let check = Check::new("friction-force", "55–57");
+    let forces = friction(case)?;
+    if forces.is_empty() {
+        return Ok(check);
+    }
+    let (low, high) = range(forces.iter().map(|(_, force)| force.abs()));
+    let law = friction_over_mass(case) * case.oscillator().mass();
+    let scale = case.oscillator().stiffness() * case.motion.amplitude();
+    Ok(check
+        .computed("min|F_R|", low, "N")
+        .computed("max|F_R|", high, "N")
+        .expected("μ F_N", law, "N")
+        .equal(scale))
+}
+
+/// The power F_R v is negative wherever the mass moves.
+fn opposes(case: &Case) -> Result<Check> {
+    let check = Check::new("opposes-motion", "57");
+    let powers = friction(case)?;
+    if powers.is_empty() {
+        return Ok(check);
+    }
+    let (_, most) = range(powers.iter().map(|(state, force)| force * state.velocity));
+    Ok(check.computed("max F_R ẋ", most, "W").expected("< 0", 0.0, "W").judged(most < 0.0))
+}
+
+/// sign(0) = 0: a mass released at rest inside its sticking band.
+fn no_static_friction(case: &Case) -> Result<Check> {
+    let (_, band) = offsets(case);
+    let release = State::new(0.8 * band * case.release().position.signum(), 0.0)?;
+    let motion = Motion::new(*case.oscillator(), release)?;
+    let (until, time_step) = (later(case), Setting::of(&case.motion).time_step());
+    let scheme = Scheme::new(case.oscillator(), release, time_step)?;
+    let check = Check::new("static-friction", "57, 59");
+    let Ok(found) = scheme.walk().sample(until) else { return Ok(check) };
+    Ok(check
+        .computed_at(until, "x, (59)", found.position)
+        .expected("x₀", motion.at(until)?.position, "m")
+        .equal(band))
+}
+
+/// Whether the positions of (59) satisfy (58).
+fn recursion(case: &Case) -> Result<Check> {
+    let (oscillator, scheme) = (case.oscillator(), scheme(case)?);
+    let (h, dry) = (scheme.time_step(), friction_over_mass(case));
+    let left = residual(&scheme, |before, now, after| {
+        let sign = if now == before { 0.0 } else { (now - before).signum() };
+        (after - 2.0 * now + before) / (h * h)
+            + oscillator.stiffness() / oscillator.mass() * now
+            + sign * dry
+    });
+    Ok(residual_check(Check::new("recursion-coulomb", "58–59"), left, case, h))
+}
+
+/// (60) from rest: sign(0) = 0 lets the first step go without friction.
+fn start(case: &Case) -> Result<Check> {
+    let check = Check::new("start-coulomb", "60");
+    let scheme = scheme(case)?;
+    let from = case.release().position;
+    let exact = case.motion.at(scheme.time_step())?.position - from;
+    if exact == 0.0 {
+        return Ok(check);
+    }
+    let found = scheme.run(1)?[1] - from;
+    // The step itself is of third order: its own error is far below what friction does.
+    let check = check.computed("x₁ − x₀, (60)", found, "m").expected("x(Δt) − x₀", exact, "m");
+    let agrees = check.agrees(exact, 0.1 * offsets(case).0 / from.abs());
+    Ok(check.judged(agrees))
+}
+
+/// Every swing loses the same.
+fn linear_decay(case: &Case) -> Check {
+    let check = Check::new("linear-decay", "§3.1");
+    let Some(points) = turning_points(&case.motion, 3) else { return check };
+    let start = case.release().position;
+    // With alternating signs, since the last place may lie on either side.
+    let [x1, x2, x3] = [points[0], points[1], points[2]].map(|point| point.position);
+    let places = [start, -x1, x2, -x3];
+    let loss = |n: usize| (places[n] - places[n + 1]) * start.signum();
+    check
+        .computed("|x₀| − |x₁|", loss(0), "m")
+        .computed("|x₁| − |x₂|", loss(1), "m")
+        .computed("|x₂| − |x₃|", loss(2), "m")
+        .expected("2f", 2.0 * offsets(case).0, "m")
+        .equal(start)
+}
+
+/// The scheme after the rest: how far it has crept, and how fast.
+fn never_rests(case: &Case) -> Result<Check> {
+    let check = Check::new("scheme-rests", "59");
+    let Outcome::Rests(rest) = case.motion.outcome() else { return Ok(check) };
+    let until = later(case);
+    let ending = lens::ending(&case.motion, article_scheme(), &Setting::of(&case.motion));
+    let (Ok(Some(ending)), Ok(found)) = (ending, scheme(case)?.walk().sample(until)) else {
+        return Ok(check);
+    };
+    let check =
+        check.computed_at(until, "x, (59)", found.position).expected("x_N", rest.position, "m");
+    let agrees = check.agrees(case.motion.amplitude(), ROUNDING) && ending.sticks;
+    Ok(check.judged(agrees))
+}
+
+fn scheme_order_with(case: &Case) -> Check {
+    let check = Check::new("scheme-order-coulomb", "48–49, 59");
+    match scheme_order(case) {
+        None => check,
+        Some(order) => check
+            .computed("p(59)", order, "1")
+            .expected("2", 2.0, "1")
+            .judged_by_chance((order - 2.0).abs() < NEAR),
+    }
+}

@@ -1,0 +1,171 @@
+//! The graphs of the report: a motion with formulas and schemes over it, and their errors below.
+
+use federpendel::article::Formula;
+use federpendel::scheme::Setting;
+use federpendel::{Result, even_times, lens};
+use federpendel_text::plot::{
+    DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData, Plot,
+};
+
+use super::Case;
+use super::check::measure::{article_scheme, position};
+use super::writer::Writer;
+
+/// Samples of a curve.
+const SAMPLES: usize = 1501;
+
+/// Turning points that a graph can show.
+const PLOTTED: usize = 2000;
+
+/// A curve over a motion.
+pub struct Curve {
+    name: String,
+    number: usize,
+    positions: Vec<f64>,
+}
+
+/// What is drawn over a motion, and in which look: the same in every graph of the report.
+#[derive(Clone, Copy)]
+pub enum Look {
+    /// A formula as printed.
+    Printed,
+    /// A formula with its errors put right.
+    Corrected,
+    /// The article's scheme.
+    Scheme,
+}
+
+impl Look {
+    fn number(self) -> usize {
+        match self {
+            Look::Printed => 1,
+            Look::Corrected => 2,
+            Look::Scheme => 0,
+        }
+    }
+}
+
+/// Times of a graph of this motion, s.
+pub fn times(case: &Case) -> Result<Vec<f64>> {
+    even_times(case.duration, SAMPLES)
+}
+
+/// A formula at `times`.
+pub fn formula(name: String, look: Look, formula: &Formula, times: &[f64]) -> Curve {
+    curve(name, look, times, |time| position(formula, time))
+}
+
+/// Any function of time at `times`.
+pub fn curve(name: String, look: Look, times: &[f64], value: impl Fn(f64) -> f64) -> Curve {
+    Curve {
+        name,
+        number: look.number(),
+        positions: times.iter().map(|time| value(*time)).collect(),
+    }
+}
+
+/// The article's scheme at `times`; none where it runs away.
+pub fn scheme(name: String, case: &Case, times: &[f64]) -> Option<Curve> {
+    let mut course = lens::Course::new(article_scheme(), &Setting::of(&case.motion)).ok()?;
+    let positions: Result<Vec<f64>> =
+        times.iter().map(|time| course.at(*time).map(|state| state.position)).collect();
+    Some(Curve { name, number: Look::Scheme.number(), positions: positions.ok()? })
+}
+
+/// The motion with curves over it, and their distances from it below.
+pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<Plot>> {
+    let times = times(case)?;
+    let positions: Vec<f64> =
+        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
+    let turning_points: Vec<_> = case
+        .motion
+        .turning_points()
+        .take(PLOTTED)
+        .take_while(|point| point.time <= case.duration)
+        .collect();
+    let methods: Vec<_> = curves
+        .iter()
+        .map(|curve| MethodCurve {
+            name: &curve.name,
+            number: curve.number,
+            times: &times,
+            positions: &curve.positions,
+        })
+        .collect();
+    let errors: Vec<Vec<f64>> = curves
+        .iter()
+        .map(|curve| {
+            curve.positions.iter().zip(&positions).map(|(curve, exact)| curve - exact).collect()
+        })
+        .collect();
+    let distances: Vec<_> = curves
+        .iter()
+        .zip(&errors)
+        .map(|(curve, errors)| MethodErrors {
+            name: &curve.name,
+            number: curve.number,
+            times: &times,
+            errors,
+        })
+        .collect();
+    let oscillator = case.oscillator();
+    let mix = oscillator.friction().mix();
+    let above = Plot::beside(
+        writer.catalogue,
+        &OverlayData {
+            mix,
+            kind: case.motion.kind(),
+            times: &times,
+            positions: &positions,
+            turning_points: &turning_points,
+            outcome: &case.motion.outcome(),
+            sticking_offset: oscillator.sticking_offset(),
+            methods: &methods,
+        },
+    );
+    let amplitude = case.motion.amplitude();
+    let below = Plot::errors(writer.catalogue, &ErrorsData { mix, amplitude, methods: &distances });
+    Ok(vec![above, below])
+}
+
+/// The motion by itself, between its envelopes.
+pub fn motion(writer: &Writer<'_>, case: &Case) -> Result<Plot> {
+    let times = times(case)?;
+    let positions: Vec<f64> =
+        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
+    let turning_points: Vec<_> = case
+        .motion
+        .turning_points()
+        .take(PLOTTED)
+        .take_while(|point| point.time <= case.duration)
+        .collect();
+    let oscillator = case.oscillator();
+    Ok(Plot::motion(
+        writer.catalogue,
+        &MotionData {
+            mix: oscillator.friction().mix(),
+            times: &times,
+            positions: &positions,
+            turning_points: &turning_points,
+            from_rest: case.release().velocity == 0.0,
+            outcome: &case.motion.outcome(),
+            sticking_offset: oscillator.sticking_offset(),
+        },
+    ))
+}
+
+/// What each swing loses.
+pub fn decrement(writer: &Writer<'_>, case: &Case) -> Plot {
+    Plot::decrement(
+        writer.catalogue,
+        &DecrementData { oscillator: case.oscillator(), amplitudes: &amplitudes(case) },
+    )
+}
+
+/// Displacements at the turning points within the record, the release first if it is one, m.
+pub fn amplitudes(case: &Case) -> Vec<f64> {
+    let release = (case.release().velocity == 0.0).then_some(case.release().position);
+    let points =
+        case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration);
+    release.into_iter().chain(points.map(|point| point.position)).collect()
+}
