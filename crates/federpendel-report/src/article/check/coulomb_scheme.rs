@@ -2,7 +2,7 @@
 
 use federpendel::scheme::Setting;
 use federpendel::scheme::article::Scheme;
-use federpendel::{Motion, Outcome, Result, State, lens};
+use federpendel::{Motion, NormalForce, Outcome, Result, State, lens};
 
 use super::measure::{
     article_scheme, friction, later, range, residual, scheme, scheme_order, turning_points,
@@ -15,6 +15,7 @@ pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
     let case = &laboratory.coulomb;
     Ok(vec![
         force(case)?,
+        normal_force(case),
         opposes(&laboratory.thrown[0])?,
         no_static_friction(case)?,
         recursion(case)?,
@@ -51,6 +52,19 @@ fn force(case: &Case) -> Result<Check> {
         .computed("max|F_R|", high, "N")
         .expected("μ F_N", law, "N")
         .equal(scale))
+}
+
+/// The chain of (55): what presses the mass is its weight. Where something else does, it says nothing.
+fn normal_force(case: &Case) -> Check {
+    let check = Check::new("normal-force", "55");
+    let oscillator = case.oscillator();
+    let Some(law) = oscillator.friction().coulomb else { return check };
+    let NormalForce::Weight(gravity) = law.normal_force() else { return check };
+    let force = oscillator.offset() * oscillator.stiffness();
+    check
+        .computed("μ F_N = f C", force, "N")
+        .expected("μ m g", law.kinetic() * oscillator.mass() * gravity, "N")
+        .equal(force)
 }
 
 /// The power F_R v is negative wherever the mass moves.
