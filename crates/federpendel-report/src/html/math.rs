@@ -46,7 +46,7 @@ impl Typesetter {
         let mut markup = String::new();
         for (place, piece) in pieces.into_iter().enumerate() {
             if place % 2 == 0 {
-                markup += &HtmlEscape(piece).to_string();
+                markup += &HtmlEscape(&unbroken(piece)).to_string();
             } else {
                 markup += &self.mathml(piece, MathDisplay::Inline)?;
             }
@@ -60,6 +60,26 @@ impl Typesetter {
         // `0{,}5` comes out as two numbers and a comma; it is one number to whoever hears it read.
         Ok(mathml.replace("</mn><mo rspace=\"0\">,</mo><mn>", ","))
     }
+}
+
+/// `text` with every number on the line of its unit and of its power of ten.
+fn unbroken(text: &str) -> String {
+    let mut before = None;
+    let mut signs = text.chars().peekable();
+    let mut unbroken = String::with_capacity(text.len());
+    while let Some(sign) = signs.next() {
+        let joins = match before {
+            Some('×') => true,
+            Some(last) => {
+                last.is_numeric()
+                    && signs.peek().is_some_and(|next| next.is_alphabetic() || *next == '×')
+            }
+            None => false,
+        };
+        unbroken.push(if sign == ' ' && joins { '\u{a0}' } else { sign });
+        before = Some(sign);
+    }
+    unbroken
 }
 
 fn failure(tex: &str, error: &math_core::LatexError) -> PageError {
