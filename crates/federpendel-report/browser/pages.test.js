@@ -46,7 +46,7 @@ for (const file of files) {
     assert.deepEqual(said, [], 'the console');
     assert.deepEqual(asked, [url], 'requests');
   };
-  describe(basename(file), () => {
+  describe(basename(file), { concurrency: 3 }, () => {
     for (const colorScheme of ['light', 'dark']) {
       for (const width of WIDTHS) {
         const look = { colorScheme, viewport: { width, height: 900 } };

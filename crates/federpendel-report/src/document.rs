@@ -41,7 +41,7 @@ pub enum Block {
     Notice(String),
     /// A formula on a line of its own, in the notation of TeX.
     Formula {
-        /// Its number in the article.
+        /// Its number in the article, with brackets: “(68)”.
         number: Option<String>,
         /// The formula.
         tex: String,

@@ -51,7 +51,7 @@ impl Typesetter {
         let mut taken = 0;
         for (place, piece) in pieces.iter().enumerate() {
             if place % 2 == 0 {
-                markup += &HtmlEscape(&piece[taken..]).to_string();
+                markup += &HtmlEscape(&unbroken(&piece[taken..])).to_string();
             } else {
                 let behind = pieces.get(place + 1).copied().unwrap_or_default();
                 taken = behind.len() - behind.trim_start_matches(CLOSING).len();
@@ -71,6 +71,26 @@ impl Typesetter {
         // `0{,}5` comes out as two numbers and a comma; it is one number to whoever hears it read.
         Ok(mathml.replace("</mn><mo rspace=\"0\">,</mo><mn>", ","))
     }
+}
+
+/// `text` with every number on the line of its unit and of its power of ten.
+fn unbroken(text: &str) -> String {
+    let mut before = None;
+    let mut signs = text.chars().peekable();
+    let mut unbroken = String::with_capacity(text.len());
+    while let Some(sign) = signs.next() {
+        let joins = match before {
+            Some('×') => true,
+            Some(last) => {
+                last.is_numeric()
+                    && signs.peek().is_some_and(|next| next.is_alphabetic() || *next == '×')
+            }
+            None => false,
+        };
+        unbroken.push(if sign == ' ' && joins { '\u{a0}' } else { sign });
+        before = Some(sign);
+    }
+    unbroken
 }
 
 fn failure(tex: &str, error: &math_core::LatexError) -> PageError {
