@@ -4,10 +4,8 @@ use federpendel::scheme::Setting;
 use federpendel::scheme::article::Scheme;
 use federpendel::{Motion, NormalForce, Outcome, Result, State, lens};
 
-use super::measure::{
-    article_scheme, friction, later, range, residual, scheme, scheme_order, turning_points,
-};
-use super::quotients::{NEAR, residual_check};
+use super::measure::{article_scheme, friction, later, range, residual, scheme, turning_points};
+use super::quotients::{order_of_scheme, residual_check};
 use super::{Check, ROUNDING};
 use crate::article::{Case, Laboratory};
 
@@ -22,7 +20,7 @@ pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
         start(case)?,
         linear_decay(case),
         never_rests(case)?,
-        scheme_order_with(case),
+        order_of_scheme(case, "scheme-order-coulomb", "48–49, 59", "p(59)"),
     ])
 }
 
@@ -152,15 +150,4 @@ fn never_rests(case: &Case) -> Result<Check> {
         check.computed_at(until, "x, (59)", found.position).expected("x_N", rest.position, "m");
     let agrees = check.agrees(case.motion.amplitude(), ROUNDING) && ending.sticks;
     Ok(check.judged(agrees))
-}
-
-fn scheme_order_with(case: &Case) -> Check {
-    let check = Check::new("scheme-order-coulomb", "48–49, 59");
-    match scheme_order(case) {
-        None => check,
-        Some(order) => check
-            .computed("p(59)", order, "1")
-            .expected("2", 2.0, "1")
-            .judged_by_chance((order - 2.0).abs() < NEAR),
-    }
 }
