@@ -1,0 +1,34 @@
+//! What a recording should show for given parameters, with exact derivatives.
+
+/// The parameters of a free decay, in reduced units; lengths are in the unit of the recording.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// ω0, 1/s.
+    pub angular_frequency: f64,
+    /// γ, 1/s, at least zero.
+    pub damping_rate: f64,
+    /// a_c = μ_k F_N/m, at least zero.
+    pub coulomb_acceleration: f64,
+    /// κ, over a length, at least zero.
+    pub newton_rate: f64,
+    /// Position at the first time of the recording, from the middle.
+    pub position0: f64,
+    /// Velocity there.
+    pub velocity0: f64,
+    /// What the sensor shows where the mass would rest without friction: added to the recorded quantity.
+    pub equilibrium: f64,
+}
+
+/// How the motion ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stop {
+    /// The mass stays at the first turning point with ω0²|x| at most this acceleration.
+    Natural {
+        /// μ_s F_N/m.
+        static_acceleration: f64,
+    },
+    /// The mass stays at its turning point of this number, the first being 1, whatever the forces.
+    After(u64),
+    /// It never stays.
+    Never,
+}
