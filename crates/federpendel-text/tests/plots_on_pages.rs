@@ -86,7 +86,8 @@ fn drawings_on_a_page_are_told_apart_and_say_what_they_show() {
         assert_eq!(drawing.attribute("role"), Some("img"));
         assert_eq!(drawing.attribute("lang"), Some("de"));
         assert_eq!((drawing.attribute("width"), drawing.attribute("height")), (None, None));
-        assert_eq!(drawing.attribute("viewBox"), Some("0 0 560 608"));
+        let Size { width, height } = Size::figure(&plot);
+        assert_eq!(drawing.attribute("viewBox"), Some(&*format!("0 0 {width} {height}")));
         let labels = drawing.attribute("aria-labelledby").expect("labels");
         let said: Vec<_> = labels
             .split(' ')

@@ -104,7 +104,11 @@ pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim
 fn computed(figure: &Figure, nothing: bool, catalogue: &Catalogue) -> String {
     let symbol = lowered(figure.symbol);
     let digits = if nothing { DIGITS_OF_NOTHING } else { DIGITS };
-    let value = catalogue.quantity(figure.value, figure.unit, digits);
+    let value = if figure.value.is_nan() {
+        catalogue.text("report-undefined")
+    } else {
+        catalogue.quantity(figure.value, figure.unit, digits)
+    };
     match figure.time {
         None => format!("{symbol} = {value}"),
         Some(time) => {

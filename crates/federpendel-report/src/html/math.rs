@@ -5,6 +5,9 @@ use minijinja::{HtmlEscape, Value};
 
 use super::PageError;
 
+/// What must not begin a line by itself, behind a formula.
+const CLOSING: [char; 6] = [')', ',', '.', ':', ';', '!'];
+
 /// A text that is HTML already.
 pub type Html = Value;
 
@@ -44,11 +47,19 @@ impl Typesetter {
             return Err(PageError::Dollar(text.to_owned()));
         }
         let mut markup = String::new();
-        for (place, piece) in pieces.into_iter().enumerate() {
+        // What a formula has taken of the text behind it.
+        let mut taken = 0;
+        for (place, piece) in pieces.iter().enumerate() {
             if place % 2 == 0 {
-                markup += &HtmlEscape(&unbroken(piece)).to_string();
+                markup += &HtmlEscape(&unbroken(&piece[taken..])).to_string();
             } else {
-                markup += &self.mathml(piece, MathDisplay::Inline)?;
+                let behind = pieces.get(place + 1).copied().unwrap_or_default();
+                taken = behind.len() - behind.trim_start_matches(CLOSING).len();
+                let math = self.mathml(piece, MathDisplay::Inline)?;
+                markup += &match taken {
+                    0 => math,
+                    _ => format!("<span class=\"joined\">{math}{}</span>", &behind[..taken]),
+                };
             }
         }
         Ok(markup)

@@ -13,6 +13,7 @@ use federpendel_text::plot::Plot;
 use federpendel_text::plot::draw::{Background, Size, inline, palette, png, svg, terminal};
 use federpendel_text::{Catalogue, Language};
 
+type Part = fn(&Catalogue) -> Drawn;
 type Drawn = federpendel::Result<Vec<(String, Plot)>>;
 
 fn write(folder: &Path, name: &str, plot: &Plot) -> Result<(), Box<dyn Error>> {
@@ -52,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = arguments.next().ok_or("usage: gallery FOLDER [motions|methods|figures]")?;
     let folder = Path::new(&folder);
     let part = arguments.next();
-    let parts: [(&str, fn(&Catalogue) -> Drawn); 3] =
+    let parts: [(&str, Part); 3] =
         [("motions", motions::plots), ("methods", methods::plots), ("figures", figures::plots)];
     fs::create_dir_all(folder)?;
     for language in Language::ALL {

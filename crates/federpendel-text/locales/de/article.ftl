@@ -143,6 +143,7 @@ article-which-hyperbolic = hyperbolisch
 
 article-scheme = Wie falsch ist das einfache Verfahren?
 article-scheme-order-text = Halbiert man den Schritt, so bleibt einem Verfahren zweiter Ordnung ein Viertel seines Fehlers, einem erster Ordnung die Hälfte. Der zentrale Differenzenquotient (49) ist von zweiter, der rückwärtige (48) nur von erster Ordnung. Trockene Reibung nimmt noch mehr: Kein Schritt fällt auf eine Umkehr, und in dem Schritt, in dem sie liegt, wirkt die Reibung eine Weile in die falsche Richtung.
+article-scheme-order-title = Größter Fehler des Verfahrens über dem Schritt
 article-scheme-order-figure = Größter Fehler des Verfahrens über dem Schritt, ohne Reibung und mit jeder ihrer Arten, bei sechs Halbierungen.
 article-scheme-name-none = ohne Reibung
 article-scheme-name-stokes = Stokes

@@ -11,6 +11,7 @@ report-table = Tabelle { $number }
 report-claim = Behauptung
 report-computed = Berechnet
 report-expected = Erwartet
+report-undefined = nicht definiert
 report-verdict = Urteil
 report-verdict-holds = gilt
 report-verdict-fails = gilt nicht

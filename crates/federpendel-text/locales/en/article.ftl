@@ -143,6 +143,7 @@ article-which-hyperbolic = hyperbolic
 
 article-scheme = How wrong is the simple scheme?
 article-scheme-order-text = Halve the step: a method of second order then leaves a quarter of its error, one of first order half. The central quotient (49) is of second order, the backward quotient (48) of first order only. Dry friction takes more: no step falls on a reversal, and on the step that holds one, friction acts in the wrong direction for a while.
+article-scheme-order-title = Largest error of the scheme against the step
 article-scheme-order-figure = Largest error of the scheme against the step, without friction and with each law, over six halvings.
 article-scheme-name-none = no friction
 article-scheme-name-stokes = Stokes

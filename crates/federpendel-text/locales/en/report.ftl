@@ -11,6 +11,7 @@ report-table = Table { $number }
 report-claim = Claim
 report-computed = Computed
 report-expected = Expected
+report-undefined = undefined
 report-verdict = Verdict
 report-verdict-holds = holds
 report-verdict-fails = fails

@@ -52,5 +52,5 @@ fn without(mut plot: Plot, catalogue: &Catalogue) -> Plot {
 /// Time of the last turning point before the rest; without one, of the release.
 fn last_turn(data: &OverlayData<'_>, rest: f64) -> f64 {
     let turns = data.turning_points.iter().map(|point| point.time);
-    turns.filter(|time| *time < rest).last().unwrap_or(0.0)
+    turns.rev().find(|time| *time < rest).unwrap_or(0.0)
 }

@@ -44,7 +44,7 @@ fn force(case: &Case) -> Result<Check> {
     Ok(check
         .computed("min|F_R|/ẋ²", low, "kg/m")
         .computed("max|F_R|/ẋ²", high, "kg/m")
-        .expected("½ρc_wA", law.coefficient(), "kg/m")
+        .expected("½ρ c_w A", law.coefficient(), "kg/m")
         .equal(scale.min(1e3 * law.coefficient())))
 }
 

@@ -23,38 +23,43 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> 
     Ok(writer.section("scheme", blocks, vec![]))
 }
 
-/// Errors over six halvings of the step, without friction and with each law.
+/// Errors over six halvings of the step, without friction and with each law, beside the order that the backward
+/// quotient (48) leaves.
 fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     let scheme = article_scheme();
     let cases = [
-        ("none", &laboratory.undamped),
-        ("stokes", &laboratory.stokes),
-        ("coulomb", &laboratory.coulomb),
-        ("newton", &laboratory.newton),
+        ("none", 2, &laboratory.undamped),
+        ("stokes", 1, &laboratory.stokes),
+        ("coulomb", 1, &laboratory.coulomb),
+        ("newton", 1, &laboratory.newton),
     ];
-    let found = cases.map(|(name, case)| {
+    let found = cases.map(|(name, order, case)| {
         let ladder = lens::ladder(&case.motion, scheme, &Setting::of(&case.motion), case.duration);
-        (writer.catalogue.text(&format!("article-scheme-name-{name}")), ladder)
+        (writer.catalogue.text(&format!("article-scheme-name-{name}")), order, ladder)
     });
     let methods: Vec<_> = found
         .iter()
         .enumerate()
-        .map(|(number, (name, ladder))| MethodRungs {
+        .map(|(number, (name, order, ladder))| MethodRungs {
             name,
             number,
-            order: 2,
+            order: *order,
             rungs: &ladder.rungs,
         })
         .collect();
     let mix = laboratory.own.oscillator().friction().mix();
-    let plot = Plot::convergence(writer.catalogue, &ConvergenceData { mix, methods: &methods });
+    let mut plot = Plot::convergence(writer.catalogue, &ConvergenceData { mix, methods: &methods });
+    // Its title speaks of one experiment; here there is one for each law.
+    let title = writer.catalogue.text("article-scheme-order-title");
+    plot.description = plot.description.replace(&plot.title, &title);
+    plot.title = title;
     let figure = Block::Figure {
         id: "figure-order".to_owned(),
         plots: vec![plot],
         caption: writer.catalogue.text("article-scheme-order-figure"),
     };
     let none = || "–".to_owned();
-    let rows = found.iter().map(|(name, ladder)| {
+    let rows = found.iter().map(|(name, _, ladder)| {
         let order = ladder.order().map_or_else(none, |order| writer.catalogue.number(order, 2));
         let last = ladder.rungs.last();
         let error = last.map_or_else(none, |rung| writer.catalogue.quantity(rung.error, "m", 2));

@@ -25,17 +25,24 @@ pub struct Size {
 impl Size {
     /// A size that suits `plot`: one with a lens needs more height.
     pub fn of(plot: &Plot) -> Self {
-        Size::default().with_lens_of(plot)
+        let size = Size::default();
+        Size {
+            height: if plot.lens.is_some() { WITH_LENS * size.height } else { size.height },
+            ..size
+        }
     }
 
-    /// A size that suits `plot` as a figure on a page: smaller, so that its texts are still read where a
-    /// narrow screen scales it down.
+    /// A size that suits `plot` as a figure on a page: less wide, so that its texts are still read where a
+    /// narrow screen scales it down, and higher the longer its legend is.
     pub fn figure(plot: &Plot) -> Self {
-        Size { width: 560.0, height: 380.0 }.with_lens_of(plot)
-    }
-
-    fn with_lens_of(self, plot: &Plot) -> Self {
-        Size { height: if plot.lens.is_some() { 1.6 * self.height } else { self.height }, ..self }
+        let named = plot.series.iter().filter(|series| !series.name.is_empty()).count();
+        let legend = FIGURE_LINE * (named + plot.bands.len()).div_ceil(2) as f64;
+        let height = match plot.lens {
+            None => FIGURE.height + legend,
+            // The legend stands below the lens, which has but its share of the height.
+            Some(_) => WITH_LENS * FIGURE.height + legend / LENS_SHARE,
+        };
+        Size { height: height.round(), ..FIGURE }
     }
 }
 
@@ -54,6 +61,11 @@ pub struct DrawError(String);
 const MARKER_ROOM: f64 = 9.0;
 /// Where the name of the vertical axis begins, px.
 const LABEL_LEFT: f64 = 12.0;
+/// A figure on a page without its legend, and the height of a line of the legend, px.
+const FIGURE: Size = Size { width: 560.0, height: 340.0 };
+const FIGURE_LINE: f64 = 18.0;
+/// How much higher a plot with a lens is.
+const WITH_LENS: f64 = 1.6;
 /// Up to how many times its size a drawing on a page is enlarged.
 const ENLARGED: f64 = 1.3;
 /// Share of the height that a lens takes, which carries the legend too.
@@ -70,9 +82,10 @@ pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
 }
 
 /// `plot` as an SVG element to stand within an HTML page, as wide as there is room for it, up to somewhat more
-/// than `size`; [`Size::figure`] suits. Its colours are the page's custom properties, see [`palette`](super::palette), so that one drawing
-/// serves light, dark and print; its title is for screen readers only, since the page has a caption. `id`
-/// begins the ids in it: letters, digits and hyphens, unlike those of other drawings on the page.
+/// than `size`; [`Size::figure`] suits. Its colours are the page's custom properties, see
+/// [`palette`](super::palette), so that one drawing serves light, dark and print; its title is for screen readers
+/// only, since the page has a caption. `id` begins the ids in it: letters, digits and hyphens, unlike those of
+/// other drawings on the page.
 pub fn inline(plot: &Plot, size: Size, id: &str) -> String {
     let untitled = Plot { title: String::new(), ..plot.clone() };
     let mut scene = scene(&untitled, size, Palette::Page);
