@@ -18,6 +18,7 @@ pub(crate) fn run(arguments: &Article, catalogue: &Catalogue) -> Result<(), Fail
         experiment.normal_force,
         experiment.release,
         experiment.duration,
+        experiment.drag_coefficient,
     );
     let laboratory = laboratory.map_err(refused)?;
     let checks = Checks::of(&laboratory).map_err(refused)?;

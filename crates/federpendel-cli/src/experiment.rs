@@ -31,6 +31,8 @@ pub struct Experiment {
     pub normal_force: NormalForce,
     /// Where and how fast it is released.
     pub release: State,
+    /// The drag coefficient c_w, if Newton friction is given by it.
+    pub drag_coefficient: Option<f64>,
     /// Length of the record, s, if it is given.
     pub duration: Option<f64>,
     /// Number of samples.

@@ -78,7 +78,7 @@ fn laboratory((name, [mass, stiffness], friction, [x0, v0]): &Experiment) -> Lab
     let oscillator = Oscillator::new(*mass, *stiffness, *friction).expect(name);
     let normal_force = friction.coulomb.map_or(WEIGHT, |law| law.normal_force());
     let release = State::new(*x0, *v0).expect(name);
-    Laboratory::new(oscillator, normal_force, release, None).expect(name)
+    Laboratory::new(oscillator, normal_force, release, None, None).expect(name)
 }
 
 /// The checks of every experiment, each with its name.

@@ -27,6 +27,7 @@ impl Draft {
             oscillator: Oscillator::new(mass, stiffness, friction)?,
             normal_force,
             release,
+            drag_coefficient: self.get(Field::DragCoefficient).map(|given| given.value),
             duration: self.value(Field::Duration),
             samples: self.samples(samples_that_fit)?,
         })

@@ -2,7 +2,7 @@
 
 use federpendel::article::Formula;
 use federpendel::scheme::Setting;
-use federpendel::{Result, even_times, lens};
+use federpendel::{Result, TurningPoint, even_times, lens};
 use federpendel_text::plot::{
     DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData, Plot,
 };
@@ -72,17 +72,28 @@ pub fn scheme(name: String, case: &Case, times: &[f64]) -> Option<Curve> {
     Some(Curve { name, number: Look::Scheme.number(), positions: positions.ok()? })
 }
 
+/// A motion as it is drawn.
+struct Record {
+    times: Vec<f64>,
+    positions: Vec<f64>,
+    turning_points: Vec<TurningPoint>,
+}
+
+fn record(case: &Case) -> Result<Record> {
+    let times = times(case)?;
+    let samples = case.motion.samples(&times)?;
+    let positions = samples.iter().map(|sample| sample.position).collect();
+    Ok(Record { times, positions, turning_points: turning_points(case).collect() })
+}
+
+/// The turning points within the record, as many as a graph can show.
+fn turning_points(case: &Case) -> impl Iterator<Item = TurningPoint> + '_ {
+    case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration)
+}
+
 /// The motion with curves over it, and their distances from it below.
 pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<Plot>> {
-    let times = times(case)?;
-    let positions: Vec<f64> =
-        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
-    let turning_points: Vec<_> = case
-        .motion
-        .turning_points()
-        .take(PLOTTED)
-        .take_while(|point| point.time <= case.duration)
-        .collect();
+    let Record { times, positions, turning_points } = record(case)?;
     let methods: Vec<_> = curves
         .iter()
         .map(|curve| MethodCurve {
@@ -130,15 +141,7 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
 
 /// The motion by itself, between its envelopes.
 pub fn motion(writer: &Writer<'_>, case: &Case) -> Result<Plot> {
-    let times = times(case)?;
-    let positions: Vec<f64> =
-        case.motion.samples(&times)?.iter().map(|sample| sample.position).collect();
-    let turning_points: Vec<_> = case
-        .motion
-        .turning_points()
-        .take(PLOTTED)
-        .take_while(|point| point.time <= case.duration)
-        .collect();
+    let Record { times, positions, turning_points } = record(case)?;
     let oscillator = case.oscillator();
     Ok(Plot::motion(
         writer.catalogue,
@@ -165,7 +168,5 @@ pub fn decrement(writer: &Writer<'_>, case: &Case) -> Plot {
 /// Displacements at the turning points within the record, the release first if it is one, m.
 pub fn amplitudes(case: &Case) -> Vec<f64> {
     let release = (case.release().velocity == 0.0).then_some(case.release().position);
-    let points =
-        case.motion.turning_points().take(PLOTTED).take_while(|point| point.time <= case.duration);
-    release.into_iter().chain(points.map(|point| point.position)).collect()
+    release.into_iter().chain(turning_points(case).map(|point| point.position)).collect()
 }

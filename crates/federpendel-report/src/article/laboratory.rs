@@ -99,7 +99,7 @@ impl Case {
 
 impl Laboratory {
     /// The experiment with `oscillator` and `release`; `normal_force` presses the mass, whether or not Coulomb
-    /// friction acts; `duration` is the length of the record (s), if the experiment says.
+    /// friction acts; `duration` is the length of the record (s) and `drag_coefficient` is c_w, if the experiment says.
     ///
     /// # Errors
     /// What the core refuses.
@@ -108,6 +108,7 @@ impl Laboratory {
         normal_force: NormalForce,
         release: State,
         duration: Option<f64>,
+        drag_coefficient: Option<f64>,
     ) -> Result<Self> {
         let bench = Bench::new(oscillator, normal_force, release)?;
         let from_rest = State { position: bench.position, velocity: 0.0 };
@@ -130,7 +131,7 @@ impl Laboratory {
             newton: Case::new(bench.with(newton)?, bench.release, without_newton, None)?,
             built_in_release: bench.built_in_release,
             added_velocity: bench.velocity != bench.release.velocity,
-            drag_coefficient: None,
+            drag_coefficient,
             pressed: matches!(normal_force, NormalForce::Given(_)),
         })
     }
@@ -235,7 +236,7 @@ mod tests {
     fn laboratory(mass: f64, stiffness: f64, friction: Friction, x0: f64, v0: f64) -> Laboratory {
         let oscillator = Oscillator::new(mass, stiffness, friction).unwrap();
         let release = State::new(x0, v0).unwrap();
-        Laboratory::new(oscillator, NormalForce::Weight(9.81), release, None).unwrap()
+        Laboratory::new(oscillator, NormalForce::Weight(9.81), release, None, None).unwrap()
     }
 
     #[test]

@@ -111,7 +111,7 @@ article-coulomb-thrown-text = Beim Loslassen mit einer Geschwindigkeit schreibt 
 article-coulomb-forward-figure = Loslassen bei $x_0$ = { $position } mit $v_0$ = { $velocity }: die Bewegung, (79) wie gedruckt, (78) mit der Phase im richtigen Quadranten und der Rate $\Delta x/(T/2)$ und das Verfahren (59); darunter ihre Abstände von der Bewegung.
 article-name-79 = (79), gedruckt
 article-name-78 = (78), berichtigt
-article-coulomb-stuck = Die trockene Reibung ist hier so stark, dass die Masse bleibt, wo sie losgelassen wird. Es gibt keine Bewegung zu zeichnen.
+article-coulomb-stuck = Die trockene Reibung ist hier so stark, dass die Masse bleibt, wo sie losgelassen wird: Die Graphen zum Loslassen in Ruhe zeigen eine waagrechte Linie.
 
 ### 4 Newton
 

@@ -35,6 +35,8 @@ check-stokes-force = Die Kraft der Stokesschen Reibung ist proportional zur Gesc
 check-characteristic-roots = Die beiden Werte (36) sind die Lösungen der charakteristischen Gleichung (35).
 check-oscillates-below-critical = Die Masse schwingt nur dann hin und her, wenn die Diskriminante $D^2/(4m^2)-\omega_0^2$ in (36) negativ ist.
     .holds = Aus der Ruhe losgelassen kehrt sie für $\gamma<\omega_0$ immer wieder um, im aperiodischen Grenzfall und im Kriechfall kein einziges Mal.
+check-conjugate-roots = Im Schwingfall sind die Lösungen $-\gamma\pm i\omega$, mit $\gamma$ und $\omega$ nach (41).
+    .not-applicable = { -no-oscillation }
 check-complex-form = Im Schwingfall lassen sich die beiden komplexen Exponentialfunktionen (38) als reelle Lösung (40) schreiben.
     .not-applicable = { -no-oscillation }
 check-damped-constants = Die Anfangsbedingungen legen die Konstanten von (40) fest: $C_1=x_0$ und $C_2=(v_0+\gamma x_0)/\omega$.
@@ -75,6 +77,8 @@ check-agreement-stokes = Als Graphen gezeichnet stimmen die numerische Lösung (
 
 check-friction-force = Trockene Reibung hat den Betrag $\mu F_N$, gleich wie groß die Geschwindigkeit ist.
     .not-applicable = { -no-swing }
+check-normal-force = Was die Masse auf ihre Führung drückt, ist ihr Gewicht, $F_N=mg$.
+    .not-applicable = Die Kraft auf die Führung ist gegeben, gleich wie groß das Gewicht ist.
 check-opposes-motion = Durch die Signum-Funktion in (57) wirkt die Reibung immer gegen die Bewegung.
     .not-applicable = { -no-motion }
 check-static-friction = Mit der Signum-Funktion beschreiben (57) und (59) auch eine Masse, die von trockener Reibung festgehalten wird.

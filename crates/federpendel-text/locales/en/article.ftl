@@ -111,7 +111,7 @@ article-coulomb-thrown-text = For a release with a velocity the article writes t
 article-coulomb-forward-figure = Release at $x_0$ = { $position } with $v_0$ = { $velocity }: the motion, (79) as printed, (78) with the phase in the right quadrant and the rate $\Delta x/(T/2)$, and the scheme (59); below, their distances from the motion.
 article-name-79 = (79), printed
 article-name-78 = (78), corrected
-article-coulomb-stuck = Dry friction is so strong here that the mass stays where it is released. There is no motion to draw.
+article-coulomb-stuck = Dry friction is so strong here that the mass stays where it is released: the graphs of a release from rest show a level line.
 
 ### 4 Newton
 

@@ -35,6 +35,8 @@ check-stokes-force = The force of Stokes friction is proportional to the velocit
 check-characteristic-roots = The two values (36) are the roots of the characteristic equation (35).
 check-oscillates-below-critical = The mass swings to and fro only where the discriminant $D^2/(4m^2)-\omega_0^2$ in (36) is negative.
     .holds = Released from rest it turns round again and again for $\gamma<\omega_0$, but not once at critical damping or above.
+check-conjugate-roots = Below critical damping the roots are $-\gamma\pm i\omega$, with $\gamma$ and $\omega$ of (41).
+    .not-applicable = { -no-oscillation }
 check-complex-form = Below critical damping the two complex exponentials (38) can be written as the real solution (40).
     .not-applicable = { -no-oscillation }
 check-damped-constants = The initial conditions fix the constants of (40): $C_1=x_0$ and $C_2=(v_0+\gamma x_0)/\omega$.
@@ -75,6 +77,8 @@ check-agreement-stokes = Drawn as graphs, the numeric solution (51) and the anal
 
 check-friction-force = Dry friction has the magnitude $\mu F_N$, whatever the velocity.
     .not-applicable = { -no-swing }
+check-normal-force = What presses the mass on its guide is its weight, $F_N=mg$.
+    .not-applicable = The force on the guide is given, whatever the weight.
 check-opposes-motion = Thanks to the sign function in (57) friction always acts against the motion.
     .not-applicable = { -no-motion }
 check-static-friction = With the sign function (57) and (59) also describe a mass that dry friction holds in its place.

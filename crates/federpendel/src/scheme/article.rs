@@ -17,7 +17,7 @@ mod stability;
 mod terms;
 mod walk;
 
-pub(super) use self::integration::SCHEME;
+pub use self::integration::SCHEME;
 pub use self::walk::Walk;
 
 use self::terms::{Pair, Terms};

@@ -95,7 +95,7 @@ pub fn scheme_order(case: &Case) -> Option<f64> {
 
 /// The article's scheme among the numeric methods.
 pub fn article_scheme() -> &'static scheme::Scheme {
-    scheme::named("article-scheme").unwrap_or(&scheme::SCHEMES[0])
+    &article::SCHEME
 }
 
 /// The slope of log `error` against log `step` between steps of `first` and `first`/64: the observed order.

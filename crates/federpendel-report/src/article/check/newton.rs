@@ -3,8 +3,8 @@
 use federpendel::first_integral::{next_amplitude, speed};
 use federpendel::{Motion, Result, State};
 
-use super::measure::{friction, range, residual, scheme, scheme_order, turning_points};
-use super::quotients::{NEAR, residual_check};
+use super::measure::{friction, range, residual, scheme, turning_points};
+use super::quotients::{order_of_scheme, residual_check};
 use super::{Check, ROUNDING};
 use crate::article::{Case, Laboratory};
 
@@ -19,7 +19,7 @@ pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
         force(case)?,
         recursion(case)?,
         start(case)?,
-        scheme_order_with(case),
+        order_of_scheme(case, "scheme-order-newton", "48–49, 85", "p(85)"),
         only_numeric(&from_rest)?,
         series(&from_rest)?,
         neither(&from_rest),
@@ -70,17 +70,6 @@ fn start(case: &Case) -> Result<Check> {
         + oscillator.stiffness() / oscillator.mass() * position
         + oscillator.newton_rate() * velocity * velocity.abs();
     Ok(residual_check(Check::new("start-newton", "86"), left.abs(), case, h))
-}
-
-fn scheme_order_with(case: &Case) -> Check {
-    let check = Check::new("scheme-order-newton", "48–49, 85");
-    match scheme_order(case) {
-        None => check,
-        Some(order) => check
-            .computed("p(85)", order, "1")
-            .expected("2", 2.0, "1")
-            .judged_by_chance((order - 2.0).abs() < NEAR),
-    }
 }
 
 /// “Only numerically”: turning points and speed in closed form, against the motion. If they agree, the claim fails.

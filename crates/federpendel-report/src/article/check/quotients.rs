@@ -10,7 +10,7 @@ use super::{Check, LINE_WIDTH};
 use crate::article::{Case, Laboratory};
 
 /// How near an observed order must come to the one that is claimed.
-pub const NEAR: f64 = 0.2;
+const NEAR: f64 = 0.2;
 
 pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
     let case = &laboratory.stokes;
@@ -92,6 +92,24 @@ fn scheme_orders(case: &Case) -> Result<Check> {
         .computed("p(D = 0)", without, "1")
         .expected("2", 2.0, "1")
         .judged_by_chance((with - 2.0).abs() < NEAR && (without - 2.0).abs() < NEAR))
+}
+
+/// The claim that the scheme is of second order with this friction. With very little of it that is so at the steps
+/// that are tried, by chance.
+pub fn order_of_scheme(
+    case: &Case,
+    id: &'static str,
+    equation: &'static str,
+    symbol: &'static str,
+) -> Check {
+    let check = Check::new(id, equation);
+    match scheme_order(case) {
+        None => check,
+        Some(order) => check
+            .computed(symbol, order, "1")
+            .expected("2", 2.0, "1")
+            .judged_by_chance((order - 2.0).abs() < NEAR),
+    }
 }
 
 /// Steps for which a run is watched on both sides of the limit.

@@ -122,6 +122,7 @@ fn oscillates_below_critical(case: &Case) -> Result<Check> {
 /// The solution below critical damping; at and above it nothing of this applies.
 fn underdamped(case: &Case) -> Result<Vec<Check>> {
     let names = [
+        ("conjugate-roots", "37"),
         ("complex-form", "38–40"),
         ("damped-constants", "42–45"),
         ("derivative", "43"),
@@ -134,7 +135,7 @@ fn underdamped(case: &Case) -> Result<Vec<Check>> {
     if oscillator.regime() != Regime::Underdamped {
         return Ok(blank.to_vec());
     }
-    let [complex, constants, derivative, solution, lowered, exponential] = blank;
+    let [roots, complex, constants, derivative, solution, lowered, exponential] = blank;
     let State { position: x0, velocity: v0 } = case.release();
     let amplitude = case.motion.amplitude();
     let (omega0, rates) = (oscillator.angular_frequency(), eq_41(oscillator)?);
@@ -148,12 +149,26 @@ fn underdamped(case: &Case) -> Result<Vec<Check>> {
         first * Complex::new(-gamma * t, omega * t).exp()
             + second * Complex::new(-gamma * t, -omega * t).exp()
     };
-    let difference = |t: f64| eq_38(t).re - position(&formula, t);
+    let eq_39 = |t: f64| {
+        let turn = |sign: f64| Complex::new(0.0, sign * omega * t).exp();
+        (first * turn(1.0) + second * turn(-1.0)) * (-gamma * t).exp().into()
+    };
+    let off =
+        |value: &dyn Fn(f64) -> f64| largest(case.duration, |t| value(t) - position(&formula, t));
     let complex = complex
-        .computed("max|(38) − (40)|", largest(case.duration, difference), "m")
+        .computed("max|Re (38) − (40)|", off(&|t| eq_38(t).re), "m")
+        .computed("max|Re (39) − (40)|", off(&|t| eq_39(t).re), "m")
         .computed("max|Im (38)|", largest(case.duration, |t| eq_38(t).im), "m")
         .expected("0", 0.0, "m")
         .equal(amplitude * omega0 / omega);
+
+    let [root, _] = eq_36(oscillator)?;
+    let roots = roots
+        .computed("Re λ₁", root.re, "1/s")
+        .computed("Im λ₁", root.im, "1/s")
+        .expected("−D/(2m)", -gamma, "1/s")
+        .expected("√(ω₀² − D²/(4m²))", (omega0 * omega0 - gamma * gamma).sqrt(), "1/s")
+        .equal(omega0);
 
     let start = formula.at(0.0)?;
     let constants = constants
@@ -200,7 +215,7 @@ fn underdamped(case: &Case) -> Result<Vec<Check>> {
             (lowered.judged(agrees), exponential)
         }
     };
-    Ok(vec![complex, constants, derivative, solution, lowered, exponential])
+    Ok(vec![roots, complex, constants, derivative, solution, lowered, exponential])
 }
 
 /// The remarks on the cases that the article does not pursue: γ = `ratio` ω0 at or above 1.

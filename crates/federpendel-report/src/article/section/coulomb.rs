@@ -14,11 +14,14 @@ use crate::document::{Block, Section};
 use crate::sketch::{self, Law};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
-    let blocks = vec![
+    let mut blocks = vec![
         writer.say("article-coulomb-text"),
         forces(writer, &laboratory.coulomb, Law::Coulomb, "sketch-coulomb"),
         numbered("57", r"\ddot{x} + \frac{C}{m} x = -\operatorname{sign}(\dot{x})\, \mu g"),
     ];
+    if laboratory.coulomb.motion.turning_points().next().is_none() {
+        blocks.push(writer.notice("article-coulomb-stuck", &[]));
+    }
     let sections = vec![
         scheme(writer, &laboratory.coulomb, checks)?,
         from_rest(writer, &laboratory.coulomb, checks)?,
