@@ -111,6 +111,8 @@ pub struct Article {
     pub subject: Subject,
     /// Whether verdicts are left blank for a class, with the solutions in a second file.
     pub worksheet: bool,
+    /// Numbers of the claims that a page is to hold, as written; none for all.
+    pub claims: Option<String>,
     /// Where results go.
     pub results: Results,
 }
@@ -257,6 +259,7 @@ fn article(matches: &ArgMatches) -> Article {
     Article {
         subject: subject(matches),
         worksheet: matches.get_flag("worksheet"),
+        claims: text(matches, "claims"),
         results: results(matches),
     }
 }

@@ -186,6 +186,21 @@ fn a_worksheet_has_its_solutions_beside_it() {
 }
 
 #[test]
+fn a_page_can_hold_some_claims_alone() {
+    let workplace = Workplace::new();
+    let finished =
+        workplace.run(&["article", "--worksheet", "--claims", "8,44-46", "-o", "sheet.html"]);
+    assert_eq!(finished.status, Some(0), "{}", finished.err);
+    let sheet = String::from_utf8(workplace.read("sheet.html")).expect("UTF-8");
+    assert_eq!(sheet.matches("class=\"claim\"").count(), 4);
+    for (id, stays) in
+        [("experiment", true), ("exponential", true), ("coulomb-rest", true), ("newton", false)]
+    {
+        assert_eq!(sheet.contains(&format!("<section id=\"{id}\">")), stays, "{id}");
+    }
+}
+
+#[test]
 fn what_is_wrong_is_refused_and_nothing_is_written() {
     let workplace = Workplace::new();
     for (arguments, said) in [
@@ -194,6 +209,11 @@ fn what_is_wrong_is_refused_and_nothing_is_written() {
         (&["article", "--mass", "250 m"], "mass"),
         (&["article", "--dt", "1 ms"], "--dt"),
         (&["article", "--worksheet", "-o", "a.html", "-o", "a-solutions.html"], "a-solutions.html"),
+        (&["article", "--worksheet"], ".html"),
+        (&["article", "--worksheet", "-o", "sheet.json"], ".html"),
+        (&["article", "--claims", "3"], ".html"),
+        (&["article", "--claims", "47-43", "-o", "a.html"], "47-43"),
+        (&["article", "--claims", "0,5", "-o", "a.html"], "0,5"),
     ] {
         let finished = workplace.run(arguments);
         assert_eq!(finished.status, Some(2), "{arguments:?}");
@@ -207,7 +227,7 @@ fn the_summary_is_a_picture_a_sentence_and_what_does_not_hold() {
     let workplace = Workplace::new();
     let short = workplace.run(&["article"]);
     assert!(
-        short.out.contains("claims checked here") && short.out.contains("(68)"),
+        short.out.contains("claims checked here") && short.out.contains("44–47"),
         "{}",
         short.out
     );

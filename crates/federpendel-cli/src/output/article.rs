@@ -2,6 +2,7 @@
 
 mod summary;
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -21,6 +22,8 @@ pub(crate) struct ArticleReport<'a> {
     pub checks: &'a Checks,
     /// Whether pages are written as a worksheet, with the solutions beside it.
     pub worksheet: bool,
+    /// Numbers of the claims that pages hold; none for all.
+    pub claims: Option<BTreeSet<usize>>,
 }
 
 /// A file with the report.
@@ -78,8 +81,11 @@ impl ArticleReport<'_> {
     }
 
     fn page(&self, edition: Edition, catalogue: &Catalogue, out: &mut dyn Write) -> io::Result<()> {
-        let document =
+        let mut document =
             document(self.laboratory, self.checks, edition, catalogue).map_err(io::Error::other)?;
+        if let Some(numbers) = &self.claims {
+            document.keep_claims(numbers);
+        }
         let page = html::page(&document, catalogue).map_err(io::Error::other)?;
         out.write_all(page.as_bytes())
     }

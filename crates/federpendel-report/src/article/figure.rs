@@ -14,6 +14,9 @@ use super::writer::Writer;
 /// Samples of a curve.
 const SAMPLES: usize = 1501;
 
+/// Distances of less than this part of the largest are left out of a graph.
+const FAINT: f64 = 1e-5;
+
 /// Turning points that a graph can show.
 const PLOTTED: usize = 2000;
 
@@ -103,12 +106,8 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
             positions: &curve.positions,
         })
         .collect();
-    let errors: Vec<Vec<f64>> = curves
-        .iter()
-        .map(|curve| {
-            curve.positions.iter().zip(&positions).map(|(curve, exact)| curve - exact).collect()
-        })
-        .collect();
+    let errors: Vec<Vec<f64>> =
+        curves.iter().map(|curve| visible(distances_of(&curve.positions, &positions))).collect();
     let distances: Vec<_> = curves
         .iter()
         .zip(&errors)
@@ -137,6 +136,18 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
     let amplitude = case.motion.amplitude();
     let below = Plot::errors(writer.catalogue, &ErrorsData { mix, amplitude, methods: &distances });
     Ok(vec![above, below])
+}
+
+fn distances_of(curve: &[f64], exact: &[f64]) -> Vec<f64> {
+    curve.iter().zip(exact).map(|(curve, exact)| curve - exact).collect()
+}
+
+/// Distances without those that are far below the largest, which are not drawn if they are zero: a curve that happens
+/// to touch the motion would stretch a logarithmic axis far down.
+fn visible(distances: Vec<f64>) -> Vec<f64> {
+    let largest = distances.iter().fold(0.0, |most: f64, distance| most.max(distance.abs()));
+    let seen = |distance: f64| if distance.abs() < FAINT * largest { 0.0 } else { distance };
+    distances.into_iter().map(seen).collect()
 }
 
 /// The motion by itself, between its envelopes.

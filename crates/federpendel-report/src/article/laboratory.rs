@@ -56,12 +56,15 @@ pub struct Laboratory {
     pub coulomb: Case,
     /// Coulomb friction alone, with initial velocities against and along the displacement.
     pub thrown: [Case; 2],
-    /// Newton friction alone.
+    /// Newton friction alone, with an initial velocity.
     pub newton: Case,
     /// Whether the experiment has no release of its own, so that a built-in one is taken.
     pub built_in_release: bool,
-    /// Whether the initial velocity of [`undamped`](Self::undamped) and [`thrown`](Self::thrown) is an added one.
+    /// Whether the initial velocity of [`undamped`](Self::undamped), [`thrown`](Self::thrown) and
+    /// [`newton`](Self::newton) is an added one.
     pub added_velocity: bool,
+    /// Whether their displacement, and that of [`coulomb`](Self::coulomb), is an added one.
+    pub added_position: bool,
     /// The drag coefficient c_w, if the experiment gives it.
     pub drag_coefficient: Option<f64>,
     /// Whether something else than its own weight presses the mass on its guide.
@@ -128,8 +131,9 @@ impl Laboratory {
             stokes: Case::new(bench.with(stokes)?, bench.release, without_stokes, None)?,
             coulomb: Case::new(bench.with(coulomb)?, from_rest, without_coulomb, None)?,
             thrown: [thrown(-sign * velocity)?, thrown(sign * velocity)?],
-            newton: Case::new(bench.with(newton)?, bench.release, without_newton, None)?,
+            newton: Case::new(bench.with(newton)?, general, without_newton, None)?,
             built_in_release: bench.built_in_release,
+            added_position: bench.position != bench.release.position,
             added_velocity: bench.velocity != bench.release.velocity,
             drag_coefficient,
             pressed: matches!(normal_force, NormalForce::Given(_)),

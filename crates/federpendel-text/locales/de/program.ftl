@@ -466,6 +466,7 @@ cli-compare-examples =
       federpendel compare --against dopri5-located --tolerance 1e-9 --details
       federpendel compare --format json > vergleich.json
 cli-value-names = NAMEN
+cli-value-numbers = NUMMERN
 cli-against = Verfahren, durch Kommas getrennt: { $methods } (Vorgabe: alle, die hier gelten)
 cli-compare-dt = Zeitschritt der Verfahren, die einen nehmen (Vorgabe: etwa ein Tausendstel der Periode, so dass kein Umkehrpunkt auf einen Schritt fällt)
 cli-tolerance = Fehler, den dopri5 und dopri5-located in einem Schritt machen dürfen, bezogen auf die Amplitude (Vorgabe: 1e-6)
@@ -574,6 +575,10 @@ cli-article-examples =
 cli-article-output = Datei, deren Endung die Form bestimmt: { $forms }; auch mehrfach
 cli-article-format = Was die Standardausgabe erhält: summary (Vorgabe) oder json
 cli-article-worksheet = Die Urteile der Seite für eine Klasse frei lassen; die Lösungen stehen in einer zweiten Datei daneben
+cli-article-claims = Nur diese Behauptungen auf die Seite setzen, nach ihren Nummern: 43-47,54 (Vorgabe: alle)
+cli-article-no-page = --worksheet braucht eine Datei mit der Endung .html: -o arbeitsblatt.html
+cli-article-no-claim = --claims ist „{ $value }“; erlaubt sind Nummern von 1 bis { $last } und Bereiche wie 43-47, durch Kommas getrennt
+cli-article-claims-without-page = --claims wählt, was auf der Seite steht; dazu gehört eine Datei mit der Endung .html
 cli-article-details = Zu jeder Behauptung sagen, was berechnet und gefunden wurde
 article-solutions-file = -loesungen
 article-hint = -o artikel.html schreibt den Bericht; --details zeigt hier jede Behauptung.

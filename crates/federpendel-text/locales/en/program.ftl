@@ -466,6 +466,7 @@ cli-compare-examples =
       federpendel compare --against dopri5-located --tolerance 1e-9 --details
       federpendel compare --format json > comparison.json
 cli-value-names = NAMES
+cli-value-numbers = NUMBERS
 cli-against = Methods, with commas between them: { $methods } (default: all that apply)
 cli-compare-dt = Time step of the methods that take one (default: about a thousandth of the period, so that no reversal falls on a step)
 cli-tolerance = Error that dopri5 and dopri5-located may make in a step, over the amplitude (default: 1e-6)
@@ -574,6 +575,10 @@ cli-article-examples =
 cli-article-output = File to write, by its extension: { $forms }; may be repeated
 cli-article-format = What standard output gets: summary (default) or json
 cli-article-worksheet = Leave the verdicts of the page blank for a class; the solutions are written beside it
+cli-article-claims = Put only these claims on the page, by their numbers: 43-47,54 (default: all)
+cli-article-no-page = --worksheet needs a file that ends in .html: -o sheet.html
+cli-article-no-claim = --claims is “{ $value }”; allowed are numbers from 1 to { $last } and ranges like 43-47, with commas between them
+cli-article-claims-without-page = --claims chooses what stands on the page; that needs a file that ends in .html
 cli-article-details = Tell of every claim what was computed and found
 article-solutions-file = -solutions
 article-hint = -o article.html writes the report; --details tells of every claim here.

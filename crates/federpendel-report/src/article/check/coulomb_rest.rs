@@ -111,7 +111,7 @@ fn start(case: &Case) -> Result<Check> {
 
 /// (61) as printed for a release on the negative side, at the end of the first swing.
 fn sign(case: &Case) -> Result<Check> {
-    let check = Check::new("negative-release", "61, 69");
+    let check = Check::new("negative-release", "61, 69").reading();
     let Some(points) = turning_points(&case.motion, 1) else { return Ok(check) };
     let from = -case.release().position.abs();
     let formula = eq_61(case.oscillator(), from, Reading::Printed)?;
@@ -135,7 +135,7 @@ fn written_out(case: &Case) -> Result<Check> {
 
 /// Both formulas long after the rest.
 fn after_rest(case: &Case) -> Result<Check> {
-    let check = Check::new("after-rest", "61, 69");
+    let check = Check::new("after-rest", "61, 69").reading();
     let Outcome::Rests(rest) = case.motion.outcome() else { return Ok(check) };
     let (time, from) = (later(case), case.release().position);
     let corrected = eq_61(case.oscillator(), from, Reading::Corrected)?;

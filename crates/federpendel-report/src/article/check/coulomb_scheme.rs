@@ -83,7 +83,7 @@ fn no_static_friction(case: &Case) -> Result<Check> {
     let motion = Motion::new(*case.oscillator(), release)?;
     let (until, time_step) = (later(case), Setting::of(&case.motion).time_step());
     let scheme = Scheme::new(case.oscillator(), release, time_step)?;
-    let check = Check::new("static-friction", "57, 59");
+    let check = Check::new("static-friction", "57, 59").reading();
     let Ok(found) = scheme.walk().sample(until) else { return Ok(check) };
     Ok(check
         .computed_at(until, "x, (59)", found.position)
@@ -139,7 +139,7 @@ fn linear_decay(case: &Case) -> Check {
 
 /// The scheme after the rest: how far it has crept, and how fast.
 fn never_rests(case: &Case) -> Result<Check> {
-    let check = Check::new("scheme-rests", "59");
+    let check = Check::new("scheme-rests", "59").reading();
     let Outcome::Rests(rest) = case.motion.outcome() else { return Ok(check) };
     let until = later(case);
     let ending = lens::ending(&case.motion, article_scheme(), &Setting::of(&case.motion));

@@ -27,6 +27,9 @@ pub struct Check {
     pub id: &'static str,
     /// The equation or equations of the article it belongs to: `68`, `26–28`; a section where there is none: `§2.1`.
     pub equation: &'static str,
+    /// Whether the article says it in so many words; else it follows from what the article leaves unsaid, or it
+    /// takes a word like “suitable” at its most.
+    pub stated: bool,
     /// What came out.
     pub computed: Vec<Figure>,
     /// What should have come out if the claim were right.
@@ -131,7 +134,12 @@ impl Check {
 
     fn new(id: &'static str, equation: &'static str) -> Self {
         let (computed, expected) = (Vec::new(), Vec::new());
-        Check { id, equation, computed, expected, verdict: Verdict::NotApplicable }
+        Check { id, equation, stated: true, computed, expected, verdict: Verdict::NotApplicable }
+    }
+
+    /// Marks it as something that the article does not say in so many words.
+    fn reading(self) -> Self {
+        Check { stated: false, ..self }
     }
 
     /// Adds a number that came out.

@@ -85,12 +85,17 @@ fn only_numeric(case: &Case) -> Result<Check> {
     let fast = speed(kappa, x0, sample.position)?.unwrap_or(f64::NAN) * omega0;
     let check = check
         .computed("|x₁|, Lambert W", first, "m")
+        .computed("|x₁|, (83)", points[0].position.abs(), "m")
         .computed("|x₂|, Lambert W", second, "m")
-        .computed("|ẋ(t₁/2)|", fast, "m/s")
-        .expected("|x₁|", points[0].position.abs(), "m")
-        .expected("|x₂|", points[1].position.abs(), "m")
-        .expected("|ẋ(t₁/2)|", sample.velocity.abs(), "m/s");
-    let closed_form = check.agrees(x0.min(x0 * omega0), ROUNDING);
+        .computed("|x₂|, (83)", points[1].position.abs(), "m")
+        .computed("|ẋ(t₁/2)|, first integral", fast, "m/s")
+        .computed("|ẋ(t₁/2)|, (83)", sample.velocity.abs(), "m/s")
+        .expected("≠", f64::NAN, "1");
+    let pair = |place: usize, scale: f64| {
+        let [known, followed] = [0, 1].map(|side| check.computed[2 * place + side].value);
+        (known - followed).abs() <= ROUNDING * scale
+    };
+    let closed_form = pair(0, x0) && pair(1, x0) && pair(2, x0 * omega0);
     Ok(check.judged(!closed_form))
 }
 
@@ -122,6 +127,6 @@ fn neither(case: &Case) -> Check {
         .computed("|x₁| − |x₂|", losses[1], "m")
         .computed("|x₁|/|x₀|", ratios[0], "1")
         .computed("|x₂|/|x₁|", ratios[1], "1")
-        .expected("≈ 4κx₀²/3", 4.0 / 3.0 * case.oscillator().newton_rate() * a * a, "m")
+        .expected("≠", f64::NAN, "1")
         .judged(differ(losses, a) && differ(ratios, 1.0))
 }

@@ -46,6 +46,7 @@ fn quotient_orders(case: &Case) -> Result<Check> {
     let longest = 0.2 * radian(case);
     let (first_order, second_order) = (order(longest, backward), order(longest, second));
     Ok(Check::new("quotient-orders", "48–49")
+        .reading()
         .computed("p(48)", first_order, "1")
         .computed("p(49)", second_order, "1")
         .expected("2", 2.0, "1")
@@ -80,7 +81,7 @@ pub fn residual_check(check: Check, left: f64, case: &Case, step: f64) -> Check 
 
 /// The order of the scheme with this friction and without.
 fn scheme_orders(case: &Case) -> Result<Check> {
-    let check = Check::new("scheme-order-stokes", "48–51");
+    let check = Check::new("scheme-order-stokes", "48–51").reading();
     let oscillator = case.oscillator();
     let undamped = Oscillator::new(oscillator.mass(), oscillator.stiffness(), Friction::NONE)?;
     let undamped = Case::on(Motion::new(undamped, case.release())?);
@@ -102,7 +103,7 @@ pub fn order_of_scheme(
     equation: &'static str,
     symbol: &'static str,
 ) -> Check {
-    let check = Check::new(id, equation);
+    let check = Check::new(id, equation).reading();
     match scheme_order(case) {
         None => check,
         Some(order) => check
@@ -131,6 +132,7 @@ fn stability(case: &Case) -> Result<Check> {
     };
     let (below, above) = (runaway(0.98 * limit)?, runaway(1.02 * limit)?);
     Ok(Check::new("stability", "51")
+        .reading()
         .computed("Δt_max", limit, "s")
         .computed("n(|x_n| > 1000 A), Δt = 98 % Δt_max", below, "1")
         .computed("n(|x_n| > 1000 A), Δt = 102 % Δt_max", above, "1")
@@ -149,6 +151,7 @@ fn start_quotient(laboratory: &Laboratory) -> Result<Check> {
     let quotient = |h: f64| ((at(&motion, h) - position) / h - velocity) / (0.5 * h) - exact;
     let observed = order(0.2 * radian(&laboratory.stokes), quotient);
     Ok(Check::new("start-order", "52")
+        .reading()
         .computed("p(52)", observed, "1")
         .expected("2", 2.0, "1")
         .judged_by_chance((observed - 2.0).abs() < NEAR))

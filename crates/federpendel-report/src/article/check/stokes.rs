@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use federpendel::article::{Complex, critical, eq_36, eq_41, eq_46, overdamped};
-use federpendel::{Friction, Motion, Oscillator, Regime, Result, State, Stokes};
+use federpendel::{Friction, Motion, Oscillator, Outcome, Regime, Result, State, Stokes};
 
 use super::measure::{
     deviation, formula_deviation, friction, half_period, largest, position, radian, range,
@@ -34,8 +34,8 @@ fn only_linear(laboratory: &Laboratory) -> Result<Check> {
     let mut departures = Vec::new();
     let laws = [
         ("Stokes: max|x(2x₀) − 2x(x₀)|/x₀", "0", &laboratory.stokes),
-        ("Coulomb", "> 0", &laboratory.coulomb),
-        ("Newton", "> 0", &laboratory.newton),
+        ("Coulomb: max|…|/x₀", "> 0", &laboratory.coulomb),
+        ("Newton: max|…|/x₀", "> 0", &laboratory.newton),
     ];
     for (name, expected, case) in laws {
         let State { position, velocity } = case.release();
@@ -45,8 +45,8 @@ fn only_linear(laboratory: &Laboratory) -> Result<Check> {
             // Drag too strong to be followed.
             return Ok(blank);
         };
-        if doubled.turning_points().next().is_none() {
-            // It never moves, or creeps: both times alike.
+        if matches!(doubled.outcome(), Outcome::Rests(rest) if rest.time == 0.0) {
+            // Dry friction holds it both times.
             return Ok(blank);
         }
         let until = 2.0 * half_period(case);

@@ -7,7 +7,7 @@ use federpendel_text::plot::{ConvergenceData, MethodCurve, MethodRungs, OverlayD
 use crate::article::check::measure::{article_scheme, later};
 use crate::article::writer::Writer;
 use crate::article::{Case, Laboratory};
-use crate::document::{Block, Section};
+use crate::document::{Block, Row, Section};
 
 /// Samples of the motion after the rest.
 const SAMPLES: usize = 2001;
@@ -16,9 +16,9 @@ const SAMPLES: usize = 2001;
 const AFTER: f64 = 3.0;
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> {
-    let mut blocks = vec![writer.say("article-scheme-order-text")];
+    let mut blocks = writer.explain("article-scheme-order-text", Vec::new);
     blocks.extend(order(writer, laboratory));
-    blocks.push(writer.say("article-scheme-rest-text"));
+    blocks.extend(writer.explain("article-scheme-rest-text", Vec::new));
     blocks.extend(rest(writer, &laboratory.coulomb)?);
     Ok(writer.section("scheme", blocks, vec![]))
 }
@@ -60,7 +60,7 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     };
     let none = || "–".to_owned();
     let rows = found.iter().map(|(name, _, ladder)| {
-        let order = ladder.order().map_or_else(none, |order| writer.catalogue.number(order, 2));
+        let order = ladder.order().map_or_else(none, |order| one_decimal(writer, order));
         let last = ladder.rungs.last();
         let error = last.map_or_else(none, |rung| writer.catalogue.quantity(rung.error, "m", 2));
         vec![name.clone(), order, error]
@@ -71,9 +71,14 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
         head: ["friction", "order", "error"]
             .map(|head| text(&format!("article-scheme-head-{head}")))
             .to_vec(),
-        rows: rows.collect(),
+        rows: rows.map(Row::from).collect(),
     };
     vec![figure, table]
+}
+
+/// An order with its first decimal, also where that is zero.
+fn one_decimal(writer: &Writer<'_>, order: f64) -> String {
+    format!("{order:.1}").replace('.', &writer.catalogue.language().decimal_sign().to_string())
 }
 
 /// The scheme and Moreau–Jean time stepping after the rest; nothing if the mass never rests or never moves.
@@ -138,17 +143,16 @@ fn picture(writer: &Writer<'_>, case: &Case, times: &[f64], curves: &[Followed])
 fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> Result<Block> {
     let text = |id: &str| writer.catalogue.text(id);
     let length = |value: f64| writer.catalogue.quantity(value, "m", 4);
+    let speed = |value: f64| writer.catalogue.quantity(value, "m/s", 2);
     let (time, setting) = (later(case), Setting::of(&case.motion));
     let yes = |yes: bool| text(if yes { "article-yes" } else { "article-no" });
-    let mut rows =
-        vec![vec![text("article-scheme-motion"), length(place), yes(true), "0".to_owned()]];
+    let mut rows = vec![vec![text("article-scheme-motion"), length(place), yes(true), speed(0.0)]];
     for (method, name, _) in curves {
         let there = follow(method, &setting, &[time]).map_or(f64::NAN, |positions| positions[0]);
         let ending = lens::ending(&case.motion, method, &setting)?;
         let rests = ending.map_or_else(|| "–".to_owned(), |ending| yes(ending.sticks));
         let creep = ending.and_then(|ending| ending.creep);
-        let creep = creep
-            .map_or_else(|| "–".to_owned(), |creep| writer.catalogue.quantity(creep, "m/s", 2));
+        let creep = creep.map_or_else(|| "–".to_owned(), speed);
         rows.push(vec![name.clone(), length(there), rests, creep]);
     }
     let place =
@@ -161,6 +165,6 @@ fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> R
             text("article-scheme-head-rests"),
             text("article-scheme-head-creep"),
         ],
-        rows,
+        rows: rows.into_iter().map(Row::from).collect(),
     })
 }

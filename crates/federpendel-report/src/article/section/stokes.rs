@@ -123,10 +123,11 @@ fn graph(writer: &Writer<'_>, case: &Case) -> Result<Block> {
         .into_iter()
         .chain(figure::scheme(name("article-name-51"), case, &times))
         .collect();
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = ("step", writer.time(Setting::of(&case.motion).time_step()));
+    let with_step: Vec<_> = writer.release(case).into_iter().chain([step]).collect();
     Ok(Block::Figure {
         id: "figure-stokes".to_owned(),
         plots: figure::beside(writer, case, &curves)?,
-        caption: writer.catalogue.format("article-stokes-figure", &[("step", step)]),
+        caption: writer.catalogue.format("article-stokes-figure", &with_step),
     })
 }
