@@ -56,7 +56,7 @@ pub struct Subject {
 }
 
 /// Where results go, and how.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Results {
     /// Files to write.
     pub outputs: Vec<PathBuf>,

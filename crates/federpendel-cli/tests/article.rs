@@ -186,6 +186,24 @@ fn a_worksheet_has_its_solutions_beside_it() {
 }
 
 #[test]
+fn solutions_overwrite_nothing_that_was_asked_for() {
+    let workplace = Workplace::new();
+    let experiment = b"[oscillator]\nmass = 1\nstiffness = 1\n[release]\nposition = 1\n";
+    workplace.write("exp-solutions.html", experiment);
+    workplace.folder("w-solutions.html");
+    for arguments in [
+        &["article", "exp-solutions.html", "--worksheet", "-o", "exp.html"][..],
+        &["article", "--worksheet", "-o", "s.html", "-o", "./s-solutions.html"],
+        &["article", "--worksheet", "-o", "w.html"],
+    ] {
+        let finished = workplace.run(arguments);
+        assert_eq!(finished.status, Some(2), "{arguments:?}: {}", finished.err);
+        assert_eq!(workplace.files(), ["exp-solutions.html", "w-solutions.html"], "{arguments:?}");
+    }
+    assert_eq!(workplace.read("exp-solutions.html"), experiment);
+}
+
+#[test]
 fn a_page_can_hold_some_claims_alone() {
     let workplace = Workplace::new();
     let finished =
@@ -209,6 +227,8 @@ fn what_is_wrong_is_refused_and_nothing_is_written() {
         (&["article", "--mass", "250 m"], "mass"),
         (&["article", "--dt", "1 ms"], "--dt"),
         (&["article", "--worksheet", "-o", "a.html", "-o", "a-solutions.html"], "a-solutions.html"),
+        (&["articel"], "article"),
+        (&["article", "one.toml", "two.toml"], "two.toml"),
         (&["article", "--worksheet"], ".html"),
         (&["article", "--worksheet", "-o", "sheet.json"], ".html"),
         (&["article", "--claims", "3"], ".html"),

@@ -1,14 +1,13 @@
 //! The graphs of the report: a motion with formulas and schemes over it, and their errors below.
 
 use federpendel::article::Formula;
-use federpendel::scheme::Setting;
 use federpendel::{Result, TurningPoint, even_times, lens};
 use federpendel_text::plot::{
     DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData, Plot,
 };
 
 use super::Case;
-use super::check::measure::{article_scheme, position};
+use super::measure::{article_scheme, position};
 use super::writer::Writer;
 
 /// Samples of a curve.
@@ -69,7 +68,7 @@ pub fn curve(name: String, look: Look, times: &[f64], value: impl Fn(f64) -> f64
 
 /// The article's scheme at `times`; none where it runs away.
 pub fn scheme(name: String, case: &Case, times: &[f64]) -> Option<Curve> {
-    let mut course = lens::Course::new(article_scheme(), &Setting::of(&case.motion)).ok()?;
+    let mut course = lens::Course::new(article_scheme(), &case.setting()).ok()?;
     let positions: Result<Vec<f64>> =
         times.iter().map(|time| course.at(*time).map(|state| state.position)).collect();
     Some(Curve { name, number: Look::Scheme.number(), positions: positions.ok()? })
@@ -133,6 +132,9 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
             methods: &methods,
         },
     );
+    if curves.is_empty() {
+        return Ok(vec![above]);
+    }
     let amplitude = case.motion.amplitude();
     let below = Plot::errors(writer.catalogue, &ErrorsData { mix, amplitude, methods: &distances });
     Ok(vec![above, below])

@@ -93,13 +93,11 @@ pub fn result(checks: &Checks, catalogue: &Catalogue) -> String {
 /// The claims that do not hold, in a table.
 fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
     let text = |id: &str| writer.catalogue.text(id);
-    let stands_out =
-        |check: &&(usize, &Check)| matches!(check.1.verdict, Verdict::Fails | Verdict::HoldsHere);
-    let numbered: Vec<_> = checks.all().enumerate().collect();
-    let rows = numbered.iter().filter(stands_out).map(|(index, check)| {
-        let claim = check_claim(check, index + 1, writer.catalogue);
+    let stands_out = |check: &&Check| matches!(check.verdict, Verdict::Fails | Verdict::HoldsHere);
+    let rows = checks.all().filter(stands_out).map(|check| {
+        let claim = check_claim(check, writer.catalogue);
         let right = claim.finding.unwrap_or_default();
-        let cells = vec![(index + 1).to_string(), claim.equation, claim.claim, right];
+        let cells = vec![claim.number.to_string(), claim.equation, claim.claim, right];
         Row { cells, target: Some(claim.id) }
     });
     Block::Table {

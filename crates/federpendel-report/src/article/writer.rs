@@ -1,7 +1,5 @@
 //! From numbers to what a person reads of them.
 
-use std::cell::Cell;
-
 use federpendel_text::{Catalogue, Value};
 
 use federpendel::State;
@@ -17,7 +15,7 @@ const DIGITS: usize = 5;
 /// Digits of what should be zero.
 const DIGITS_OF_NOTHING: usize = 2;
 
-/// Writes the blocks of a report in one language, and numbers its claims.
+/// Writes the blocks of a report in one language.
 pub struct Writer<'a> {
     /// Where the sentences come from.
     pub catalogue: &'a Catalogue,
@@ -25,14 +23,13 @@ pub struct Writer<'a> {
     blank: bool,
     /// Whether every claim gets a finding.
     full: bool,
-    claims: Cell<usize>,
 }
 
 impl<'a> Writer<'a> {
-    /// A writer whose first claim has the number 1.
+    /// A writer for one edition.
     pub fn new(catalogue: &'a Catalogue, edition: Edition) -> Self {
         let (blank, full) = (edition == Edition::Worksheet, edition == Edition::Solutions);
-        Writer { catalogue, blank, full, claims: Cell::new(0) }
+        Writer { catalogue, blank, full }
     }
 
     /// A section whose heading is `article-{id}`.
@@ -98,9 +95,7 @@ impl<'a> Writer<'a> {
     }
 
     fn claim(&self, check: &Check) -> Claim {
-        let number = self.claims.get() + 1;
-        self.claims.set(number);
-        let claim = check_claim(check, number, self.catalogue);
+        let claim = check_claim(check, self.catalogue);
         if self.blank {
             return Claim { verdict: None, finding: None, ..claim };
         }
@@ -111,14 +106,14 @@ impl<'a> Writer<'a> {
 }
 
 /// A check in words.
-pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim {
+pub fn check_claim(check: &Check, catalogue: &Catalogue) -> Claim {
     let id = format!("check-{}", check.id);
     let finding = format!("{id}.{}", check.verdict.name());
     let finding = catalogue.contains(&finding).then(|| catalogue.text(&finding));
     let nothing =
         !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
     Claim {
-        number,
+        number: check.number,
         id: check.id.to_owned(),
         equation: check.place(),
         claim: catalogue.text(&id),

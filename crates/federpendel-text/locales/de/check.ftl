@@ -183,6 +183,7 @@ check-general-after-rest = (78) und (79) beschreiben die Bewegung zu allen Zeite
 check-agreement-general = Als Graphen gezeichnet stimmen die numerische Lösung (59) und die analytische Lösung (79) für jede Anfangsbedingung überein, was die Herleitung bestätigt.
     .fails = Für $v_0<0$ stimmen sie nicht überein, auch wenn man $v_A$ berichtigt: Mit der gedruckten Phase beginnt die Kurve bei $-x_0$ und verläuft gespiegelt.
     .not-applicable = { -too-many-steps }
+    .holds-here = Im Allgemeinen stimmen sie nicht überein. Hier ist die gespiegelte Kurve von der Bewegung nicht zu unterscheiden, weil die Auslenkung beim Loslassen neben der Amplitude klein ist.
 
 ## Abschnitt 4: Newtonsche Reibung, und wie Amplituden fallen
 

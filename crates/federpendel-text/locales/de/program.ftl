@@ -358,6 +358,7 @@ cli-is-a-folder = das ist ein Ordner, keine Datei
 cli-is-no-folder = ein Teil dieses Pfads ist eine Datei, kein Ordner
 cli-name-too-long = dieser Name ist zu lang oder enthält ein Zeichen, das das System nicht erlaubt
 cli-storage-full = kein Platz mehr auf dem Datenträger
+cli-read-only = dieses Dateisystem darf nur gelesen werden
 remark-equation = Gleichung ({ $number })
 remark-scheme = Das Verfahren
 remark-sticks-at-once = { $method } kennt kein Haften und lässt die Masse schwingen, die in Wirklichkeit dort bleibt, wo sie losgelassen wird.

@@ -21,10 +21,10 @@ article-result-here = { $claims ->
         [one] One is
        *[other] { $claims } are
     } wrong in general but right in number for this experiment.
-article-result-open = About { $claims ->
+article-result-open = This experiment cannot tell of { $claims ->
         [one] one claim
        *[other] { $claims } claims
-    } this experiment cannot tell.
+    }.
 article-errata = What to correct in the article
 article-errata-text = All claims that do not hold, in the order of the article.
 article-task = Beside each claim stands what was computed and what to compare it with. Tiny differences such as 10⁻¹⁰ are rounding. Decide: does the claim hold, does it fail, does it only happen to be right for the numbers of this experiment, or can this experiment not tell? Say why.

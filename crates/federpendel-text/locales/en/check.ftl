@@ -15,7 +15,7 @@
 ## Section 1: no friction
 
 check-harmonic = With $\omega_0^2=C/m$ the cosine, the sine and every sum of multiples of the two solve the equation of motion (3).
-    .holds = What remains is the rounding of a second derivative formed numerically.
+    .holds = What remains is the error of a second derivative formed numerically.
 check-angular-frequency = The angular frequency of the motion without friction follows from $\omega_0^2=C/m$.
     .holds = Only the positive root counts as angular frequency; the ± in (8) and (16) can be dropped.
 check-constants = The initial conditions fix the two constants: $C_1=x_0$ and $C_2=v_0/\omega_0$.
@@ -183,6 +183,7 @@ check-general-after-rest = (78) and (79) describe the motion at all times.
 check-agreement-general = Drawn as graphs, the numeric solution (59) and the analytic solution (79) coincide for every release, which confirms the derivation.
     .fails = For $v_0<0$ they do not coincide, even if $v_A$ is put right: with the phase as printed the curve begins at $-x_0$ and runs mirrored.
     .not-applicable = { -too-many-steps }
+    .holds-here = In general they do not agree. Here the mirrored curve cannot be told from the motion, since the displacement at release is small beside the amplitude.
 
 ## Section 4: Newton friction, and how amplitudes fall
 

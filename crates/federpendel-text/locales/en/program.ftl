@@ -358,6 +358,7 @@ cli-is-a-folder = this is a folder, not a file
 cli-is-no-folder = a part of this path is a file, not a folder
 cli-name-too-long = this name is too long or holds a sign that the system does not allow
 cli-storage-full = no space left on the device
+cli-read-only = this file system can only be read
 remark-equation = Equation ({ $number })
 remark-scheme = The scheme
 remark-sticks-at-once = { $method } knows no sticking and lets the mass swing, which in fact stays where it is released.

@@ -58,9 +58,8 @@ fn ranges(numbers: &[usize]) -> String {
 fn verdicts<'a>(report: &ArticleReport<'_>, catalogue: &'a Catalogue) -> Table<'a> {
     let mut table = Table::new(catalogue);
     for verdict in [Verdict::Fails, Verdict::HoldsHere, Verdict::NotApplicable] {
-        let numbered = report.checks.all().enumerate();
-        let of_it = numbered.filter(|(_, check)| check.verdict == verdict);
-        let numbers: Vec<usize> = of_it.map(|(index, _)| index + 1).collect();
+        let of_it = report.checks.all().filter(|check| check.verdict == verdict);
+        let numbers: Vec<usize> = of_it.map(|check| check.number).collect();
         if !numbers.is_empty() {
             table.row(&format!("report-verdict-{}", verdict.name()), ranges(&numbers));
         }
@@ -75,8 +74,8 @@ fn details(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    for (index, check) in report.checks.all().enumerate() {
-        let claim = check_claim(check, index + 1, catalogue);
+    for check in report.checks.all() {
+        let claim = check_claim(check, catalogue);
         let place =
             if claim.equation.is_empty() { String::new() } else { format!("{} ", claim.equation) };
         let verdict = catalogue.text(&format!("report-verdict-{}", check.verdict.name()));

@@ -15,6 +15,7 @@ pub(super) struct ArticleDocument {
 
 #[derive(Serialize)]
 struct CheckFields {
+    number: usize,
     id: &'static str,
     equation: &'static str,
     claim: String,
@@ -47,9 +48,10 @@ impl From<&Figure> for FigureFields {
 
 impl ArticleDocument {
     pub(super) fn new(checks: &Checks, catalogue: &Catalogue) -> Self {
-        let fields = |(index, check): (usize, &Check)| {
-            let claim = check_claim(check, index + 1, catalogue);
+        let fields = |check: &Check| {
+            let claim = check_claim(check, catalogue);
             CheckFields {
+                number: check.number,
                 id: check.id,
                 equation: check.equation,
                 claim: plain::text(&claim.claim),
@@ -62,7 +64,7 @@ impl ArticleDocument {
         };
         ArticleDocument {
             schema: Schema { name: "federpendel-article", version: 1 },
-            checks: checks.all().enumerate().map(fields).collect(),
+            checks: checks.all().map(fields).collect(),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Section 3: Coulomb friction.
 
 use federpendel::article::{Reading, eq_61, eq_69, eq_78, eq_79};
-use federpendel::scheme::Setting;
 use federpendel::{Result, State};
 use federpendel_text::plot::Plot;
 
 use super::{forces, numbered, unnumbered};
-use crate::article::check::measure::turning_points;
 use crate::article::figure::{self, Look};
+use crate::article::measure::turning_points;
 use crate::article::writer::Writer;
 use crate::article::{Case, Checks, Laboratory};
 use crate::document::{Block, Section};
@@ -39,7 +38,7 @@ fn scheme(writer: &Writer<'_>, case: &Case, checks: &Checks) -> Result<Section> 
     let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-59"), case, &times)
         .into_iter()
         .collect();
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = writer.time(case.setting().time_step());
     let blocks = vec![
         writer.say("article-coulomb-scheme-text"),
         numbered(

@@ -1,7 +1,6 @@
 //! Section 4: Newton friction.
 
 use federpendel::Result;
-use federpendel::scheme::Setting;
 
 use super::{forces, numbered, unnumbered};
 use crate::article::figure;
@@ -16,7 +15,7 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
     let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-85"), case, &times)
         .into_iter()
         .collect();
-    let step = ("step", writer.time(Setting::of(&case.motion).time_step()));
+    let step = ("step", writer.time(case.setting().time_step()));
     let with_step: Vec<_> = writer.release(case).into_iter().chain([step]).collect();
     let graph = Block::Figure {
         id: "figure-newton".to_owned(),

@@ -4,7 +4,7 @@ use federpendel::scheme::{self, Setting};
 use federpendel::{Outcome, Result, State, even_times, lens};
 use federpendel_text::plot::{ConvergenceData, MethodCurve, MethodRungs, OverlayData, Plot};
 
-use crate::article::check::measure::{article_scheme, later};
+use crate::article::measure::{article_scheme, later};
 use crate::article::writer::Writer;
 use crate::article::{Case, Laboratory};
 use crate::document::{Block, Row, Section};
@@ -34,7 +34,7 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
         ("newton", 1, &laboratory.newton),
     ];
     let found = cases.map(|(name, order, case)| {
-        let ladder = lens::ladder(&case.motion, scheme, &Setting::of(&case.motion), case.duration);
+        let ladder = lens::ladder(&case.motion, scheme, &case.setting(), case.duration);
         (writer.catalogue.text(&format!("article-scheme-name-{name}")), order, ladder)
     });
     let methods: Vec<_> = found
@@ -87,7 +87,7 @@ fn rest(writer: &Writer<'_>, case: &Case) -> Result<Vec<Block>> {
     let Some(moreau_jean) = scheme::named("moreau-jean").filter(|_| rest.time > 0.0) else {
         return Ok(Vec::new());
     };
-    let setting = Setting::of(&case.motion);
+    let setting = case.setting();
     let times = even_times(AFTER * rest.time, SAMPLES)?;
     let methods =
         [(article_scheme(), "article-scheme-own"), (moreau_jean, "article-scheme-moreau")];
@@ -132,7 +132,7 @@ fn picture(writer: &Writer<'_>, case: &Case, times: &[f64], curves: &[Followed])
             methods: &methods,
         },
     );
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = writer.time(case.setting().time_step());
     Ok(Block::Figure {
         id: "figure-rest".to_owned(),
         plots: vec![plot],
@@ -144,16 +144,17 @@ fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> R
     let text = |id: &str| writer.catalogue.text(id);
     let length = |value: f64| writer.catalogue.quantity(value, "m", 4);
     let speed = |value: f64| writer.catalogue.quantity(value, "m/s", 2);
-    let (time, setting) = (later(case), Setting::of(&case.motion));
+    let (time, setting) = (later(case), case.setting());
     let yes = |yes: bool| text(if yes { "article-yes" } else { "article-no" });
     let mut rows = vec![vec![text("article-scheme-motion"), length(place), yes(true), speed(0.0)]];
     for (method, name, _) in curves {
-        let there = follow(method, &setting, &[time]).map_or(f64::NAN, |positions| positions[0]);
+        let there = follow(method, &setting, &[time]);
+        let there = there.map_or_else(|| "–".to_owned(), |positions| length(positions[0]));
         let ending = lens::ending(&case.motion, method, &setting)?;
         let rests = ending.map_or_else(|| "–".to_owned(), |ending| yes(ending.sticks));
         let creep = ending.and_then(|ending| ending.creep);
         let creep = creep.map_or_else(|| "–".to_owned(), speed);
-        rows.push(vec![name.clone(), length(there), rests, creep]);
+        rows.push(vec![name.clone(), there, rests, creep]);
     }
     let place =
         writer.catalogue.format("article-scheme-head-place", &[("time", writer.time(time))]);
