@@ -79,6 +79,10 @@ pub struct Simulate {
     pub method: Method,
     /// Time step of a numeric scheme, as written.
     pub time_step: Option<String>,
+    /// Standard deviation of a sensor's noise, as written; none for the samples as they are.
+    pub noise: Option<String>,
+    /// What the noise begins with.
+    pub seed: Option<u64>,
     /// What pictures show.
     pub picture: MotionPicture,
     /// Where results go.
@@ -237,6 +241,8 @@ fn simulate(matches: &ArgMatches) -> Simulate {
         subject: subject(matches),
         method: Method::named(&named("method")).unwrap_or(Method::Exact),
         time_step: text(matches, "dt"),
+        noise: text(matches, "noise"),
+        seed: matches.get_one("seed").copied(),
         picture: MotionPicture::named(&named("plot")).unwrap_or_default(),
         results: results(matches),
     }

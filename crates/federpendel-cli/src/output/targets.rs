@@ -80,9 +80,9 @@ impl Targets {
 }
 
 impl Targets {
-    /// Whether a file of this form is asked for.
+    /// Whether this form is asked for, in a file or on standard output.
     pub(crate) fn has(&self, form: Format) -> bool {
-        self.files.iter().any(|(_, format)| *format == form)
+        self.stdout == form || self.files.iter().any(|(_, format)| *format == form)
     }
 }
 
