@@ -56,7 +56,7 @@ pub struct Subject {
 }
 
 /// Where results go, and how.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Results {
     /// Files to write.
     pub outputs: Vec<PathBuf>,
@@ -79,6 +79,10 @@ pub struct Simulate {
     pub method: Method,
     /// Time step of a numeric scheme, as written.
     pub time_step: Option<String>,
+    /// Standard deviation of a sensor's noise, as written; none for the samples as they are.
+    pub noise: Option<String>,
+    /// What the noise begins with.
+    pub seed: Option<u64>,
     /// What pictures show.
     pub picture: MotionPicture,
     /// Where results go.
@@ -111,6 +115,8 @@ pub struct Article {
     pub subject: Subject,
     /// Whether verdicts are left blank for a class, with the solutions in a second file.
     pub worksheet: bool,
+    /// Numbers of the claims that a page is to hold, as written; none for all.
+    pub claims: Option<String>,
     /// Where results go.
     pub results: Results,
 }
@@ -235,6 +241,8 @@ fn simulate(matches: &ArgMatches) -> Simulate {
         subject: subject(matches),
         method: Method::named(&named("method")).unwrap_or(Method::Exact),
         time_step: text(matches, "dt"),
+        noise: text(matches, "noise"),
+        seed: matches.get_one("seed").copied(),
         picture: MotionPicture::named(&named("plot")).unwrap_or_default(),
         results: results(matches),
     }
@@ -257,6 +265,7 @@ fn article(matches: &ArgMatches) -> Article {
     Article {
         subject: subject(matches),
         worksheet: matches.get_flag("worksheet"),
+        claims: text(matches, "claims"),
         results: results(matches),
     }
 }

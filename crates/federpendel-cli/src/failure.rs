@@ -1,5 +1,6 @@
 //! How the program ends when it cannot do what was asked.
 
+use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -25,16 +26,29 @@ pub(crate) fn note(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
+/// The system's own error within those that tell of a file of ours that is not to stay.
+fn innermost(error: &io::Error) -> &io::Error {
+    let mut found = error;
+    let mut source = error.get_ref().map(|inner| inner as &dyn Error);
+    while let Some(inner) = source {
+        found = inner.downcast_ref().unwrap_or(found);
+        source = inner.source();
+    }
+    found
+}
+
 impl Failure {
     /// A failure to read or write `name`.
     pub(crate) fn system(catalogue: &Catalogue, name: &str, error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
             return Failure::BrokenPipe;
         }
+        let error = innermost(error);
         let problem = match error.kind() {
             io::ErrorKind::NotFound => catalogue.text("cli-not-found"),
             io::ErrorKind::PermissionDenied => catalogue.text("cli-permission-denied"),
             io::ErrorKind::IsADirectory => catalogue.text("cli-is-a-folder"),
+            io::ErrorKind::ReadOnlyFilesystem => catalogue.text("cli-read-only"),
             io::ErrorKind::StorageFull => catalogue.text("cli-storage-full"),
             io::ErrorKind::NotADirectory => catalogue.text("cli-is-no-folder"),
             io::ErrorKind::InvalidFilename => catalogue.text("cli-name-too-long"),

@@ -12,6 +12,7 @@ mod progress;
 pub mod quantity;
 mod record;
 mod score;
+mod sensor;
 mod simulate;
 pub mod words;
 

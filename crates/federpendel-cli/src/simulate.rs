@@ -11,20 +11,38 @@ use crate::output::{self, Format, MotionReport, Targets};
 use crate::progress::Progress;
 use crate::quantity::Dimension;
 use crate::record::{Method, Record, TooLong};
+use crate::sensor::Sensor;
 use crate::words::{flag_value, too_long_step};
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
     let targets =
         Targets::check(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let time_step = time_step(arguments, catalogue)?;
+    let sensor = sensor(arguments, &targets, catalogue)?;
     let experiment = load::experiment(&arguments.subject, 0, catalogue)?;
     let record = compute(experiment, arguments.method, time_step, catalogue)?;
     if let Some(problem) = record.too_long_step() {
         let label = console::style(catalogue.text("cli-warning")).for_stderr().yellow().bold();
         note(&format!("{label}: {}", too_long_step(catalogue, problem)));
     }
-    let report = MotionReport { record: &record, picture: arguments.picture };
+    let report = MotionReport { record: &record, picture: arguments.picture, sensor };
     output::write(&report, &targets, catalogue)
+}
+
+/// The sensor, if there is noise; it records tables.
+fn sensor(
+    arguments: &Simulate,
+    targets: &Targets,
+    catalogue: &Catalogue,
+) -> Result<Option<Sensor>, Failure> {
+    let refuse = |id: &str| Err(Failure::Input(catalogue.text(id)));
+    let Some(written) = &arguments.noise else {
+        return if arguments.seed.is_some() { refuse("cli-seed-without-noise") } else { Ok(None) };
+    };
+    if !targets.has(Format::Csv) {
+        return refuse("cli-noise-without-csv");
+    }
+    Sensor::named(written, arguments.seed.unwrap_or(0), catalogue).map(Some)
 }
 
 /// The time step, if one is given; only the scheme takes steps.

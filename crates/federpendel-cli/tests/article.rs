@@ -186,6 +186,39 @@ fn a_worksheet_has_its_solutions_beside_it() {
 }
 
 #[test]
+fn solutions_overwrite_nothing_that_was_asked_for() {
+    let workplace = Workplace::new();
+    let experiment = b"[oscillator]\nmass = 1\nstiffness = 1\n[release]\nposition = 1\n";
+    workplace.write("exp-solutions.html", experiment);
+    workplace.folder("w-solutions.html");
+    for arguments in [
+        &["article", "exp-solutions.html", "--worksheet", "-o", "exp.html"][..],
+        &["article", "--worksheet", "-o", "s.html", "-o", "./s-solutions.html"],
+        &["article", "--worksheet", "-o", "w.html"],
+    ] {
+        let finished = workplace.run(arguments);
+        assert_eq!(finished.status, Some(2), "{arguments:?}: {}", finished.err);
+        assert_eq!(workplace.files(), ["exp-solutions.html", "w-solutions.html"], "{arguments:?}");
+    }
+    assert_eq!(workplace.read("exp-solutions.html"), experiment);
+}
+
+#[test]
+fn a_page_can_hold_some_claims_alone() {
+    let workplace = Workplace::new();
+    let finished =
+        workplace.run(&["article", "--worksheet", "--claims", "8,44-46", "-o", "sheet.html"]);
+    assert_eq!(finished.status, Some(0), "{}", finished.err);
+    let sheet = String::from_utf8(workplace.read("sheet.html")).expect("UTF-8");
+    assert_eq!(sheet.matches("class=\"claim\"").count(), 4);
+    for (id, stays) in
+        [("experiment", true), ("exponential", true), ("coulomb-rest", true), ("newton", false)]
+    {
+        assert_eq!(sheet.contains(&format!("<section id=\"{id}\">")), stays, "{id}");
+    }
+}
+
+#[test]
 fn what_is_wrong_is_refused_and_nothing_is_written() {
     let workplace = Workplace::new();
     for (arguments, said) in [
@@ -194,6 +227,13 @@ fn what_is_wrong_is_refused_and_nothing_is_written() {
         (&["article", "--mass", "250 m"], "mass"),
         (&["article", "--dt", "1 ms"], "--dt"),
         (&["article", "--worksheet", "-o", "a.html", "-o", "a-solutions.html"], "a-solutions.html"),
+        (&["articel"], "article"),
+        (&["article", "one.toml", "two.toml"], "two.toml"),
+        (&["article", "--worksheet"], ".html"),
+        (&["article", "--worksheet", "-o", "sheet.json"], ".html"),
+        (&["article", "--claims", "3"], ".html"),
+        (&["article", "--claims", "47-43", "-o", "a.html"], "47-43"),
+        (&["article", "--claims", "0,5", "-o", "a.html"], "0,5"),
     ] {
         let finished = workplace.run(arguments);
         assert_eq!(finished.status, Some(2), "{arguments:?}");
@@ -207,7 +247,7 @@ fn the_summary_is_a_picture_a_sentence_and_what_does_not_hold() {
     let workplace = Workplace::new();
     let short = workplace.run(&["article"]);
     assert!(
-        short.out.contains("claims checked here") && short.out.contains("(68)"),
+        short.out.contains("claims checked here") && short.out.contains("44–47"),
         "{}",
         short.out
     );

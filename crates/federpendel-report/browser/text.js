@@ -15,5 +15,5 @@ export function text() {
 // Names of the catalogue, and signs that only a template or TeX knows.
 export function rubbish(text) {
   const names = text.split(/[^a-z0-9-]+/).filter((word) => ids.has(word));
-  return [...names, ...(text.match(/\$|\{\{|\}\}|\{%|\\[a-z]+|\bundefined\b|\bNaN\b/g) ?? [])];
+  return [...names, ...(text.match(/\$|\{\{|\}\}|\{%|\\[a-z]+|\bNaN\b/g) ?? [])];
 }

@@ -2,6 +2,8 @@
 //!
 //! Texts may hold formulas between dollar signs, in the notation of TeX: `the offset $f$`.
 
+use std::collections::BTreeSet;
+
 use federpendel_text::plot::Plot;
 
 /// A report.
@@ -15,6 +17,32 @@ pub struct Document {
     pub sections: Vec<Section>,
     /// What made it, and of what; the last line.
     pub colophon: String,
+}
+
+impl Document {
+    /// Keeps of all claims those with these numbers, and of all sections those that hold one; the first section, which
+    /// says what the report is about, stays.
+    pub fn keep_claims(&mut self, numbers: &BTreeSet<usize>) {
+        let about = self.sections.first().map(|section| section.id.clone());
+        self.sections.retain_mut(|section| {
+            section.keep_claims(numbers) || Some(&section.id) == about.as_ref()
+        });
+    }
+}
+
+impl Section {
+    /// Whether there is anything left.
+    fn keep_claims(&mut self, numbers: &BTreeSet<usize>) -> bool {
+        for block in &mut self.blocks {
+            if let Block::Claims(claims) = block {
+                claims.retain(|claim| numbers.contains(&claim.number));
+            }
+        }
+        self.blocks.retain(|block| !matches!(block, Block::Claims(claims) if claims.is_empty()));
+        self.sections.retain_mut(|section| section.keep_claims(numbers));
+        let holds_one = self.blocks.iter().any(|block| matches!(block, Block::Claims(_)));
+        holds_one || !self.sections.is_empty()
+    }
 }
 
 /// A section with what it says and its subsections.
@@ -70,11 +98,26 @@ pub enum Block {
         caption: String,
         /// Headings of the columns.
         head: Vec<String>,
-        /// Its rows; the first cell of each names the row.
-        rows: Vec<Vec<String>>,
+        /// Its rows.
+        rows: Vec<Row>,
     },
     /// Claims with what was found of them.
     Claims(Vec<Claim>),
+}
+
+/// A row of a table.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its cells; the first one names the row.
+    pub cells: Vec<String>,
+    /// Name of what the first cell leads to, if it leads anywhere.
+    pub target: Option<String>,
+}
+
+impl From<Vec<String>> for Row {
+    fn from(cells: Vec<String>) -> Self {
+        Row { cells, target: None }
+    }
 }
 
 /// A claim, what was computed, and what that says of it.
@@ -88,6 +131,8 @@ pub struct Claim {
     pub equation: String,
     /// What is claimed.
     pub claim: String,
+    /// Whether it is said in so many words.
+    pub stated: bool,
     /// What was computed, a value a line.
     pub computed: Vec<String>,
     /// What should have come out if the claim were right, a value a line.

@@ -10,4 +10,4 @@ pub mod html;
 pub mod plain;
 pub mod sketch;
 
-pub use document::{Block, Claim, Document, Section, Verdict};
+pub use document::{Block, Claim, Document, Row, Section, Verdict};

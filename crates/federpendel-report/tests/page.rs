@@ -30,6 +30,7 @@ fn claim(verdict: Option<Verdict>, finding: Option<&str>) -> Block {
         number: 7,
         id: "seven".to_owned(),
         equation: "(68)".to_owned(),
+        stated: true,
         claim: "Sieben ist $7$.".to_owned(),
         computed: vec!["6,9 m".to_owned()],
         expected: vec!["7,0 m".to_owned()],

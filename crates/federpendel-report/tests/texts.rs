@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use federpendel::{Coulomb, Friction, Newton, NormalForce, Oscillator, State, Stokes};
 use federpendel_report::Verdict;
 use federpendel_report::article::Laboratory;
-use federpendel_report::article::check::{Check, checks};
+use federpendel_report::article::{Check, Checks};
 use federpendel_text::{Catalogue, Language};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -57,6 +57,17 @@ fn experiments() -> Vec<Experiment> {
         ("next to critical", usual, stokes(6.32455), rest),
         ("a release in the backward quotient's blind spot", [1.0, 9.7], Friction::NONE, rest),
         ("hardly any velocity", usual, dry, [0.1, 1e-9]),
+        ("the scheme runs away without overflow", usual, stokes(1100.0), rest),
+        ("hardly any amplitude", usual, dry, [1e-7, 0.0]),
+        ("a small mass", [1e-12, 100.0], coulomb(1.0, 1.0, NormalForce::Given(1e-7)), [1e-6, 0.0]),
+        (
+            "thrown, it is small",
+            [1e-12, 1000.0],
+            coulomb(1.0, 1.0, NormalForce::Given(1e-7)),
+            [1e-6, 3.0],
+        ),
+        ("slow", [2e6, 1e-3], Friction::NONE, [0.1, -1e-6]),
+        ("stopped at once", usual, coulomb(500.0, 500.0, WEIGHT), [5e-4, -2.0]),
         ("one swing", usual, coulomb(0.2, 0.2, WEIGHT), rest),
         ("two swings", usual, coulomb(0.1, 0.1, WEIGHT), rest),
         ("static friction", usual, coulomb(0.02, 0.1, WEIGHT), rest),
@@ -81,16 +92,20 @@ fn laboratory((name, [mass, stiffness], friction, [x0, v0]): &Experiment) -> Lab
     Laboratory::new(oscillator, normal_force, release, None, None).expect(name)
 }
 
+fn all_checks(laboratory: &Laboratory) -> Vec<Check> {
+    Checks::of(laboratory).expect("checks").all().cloned().collect()
+}
+
 /// The checks of every experiment, each with its name.
 static ALL_CHECKS: LazyLock<Vec<(&str, Vec<Check>)>> = LazyLock::new(|| {
     let mut all: Vec<_> = experiments()
         .iter()
-        .map(|experiment| (experiment.0, checks(&laboratory(experiment)).expect(experiment.0)))
+        .map(|experiment| (experiment.0, all_checks(&laboratory(experiment))))
         .collect();
     // A drag coefficient that is in number the stiffness.
     let mut coincidence = laboratory(&experiments()[1]);
     coincidence.drag_coefficient = Some(1.0);
-    all.push(("c_w = C", checks(&coincidence).unwrap()));
+    all.push(("c_w = C", all_checks(&coincidence)));
     all
 });
 
@@ -118,6 +133,100 @@ fn every_claim_and_every_finding_is_said_in_both_languages() {
         }
     }
     assert_eq!(met.len(), Verdict::ALL.len(), "{met:?}");
+}
+
+/// What is right in the article is right in every experiment.
+const RIGHT: [&str; 42] = [
+    "harmonic",
+    "angular-frequency",
+    "constants",
+    "general-solution",
+    "imaginary-roots",
+    "both-routes",
+    "chain-25-27",
+    "only-linear",
+    "stokes-force",
+    "characteristic-roots",
+    "oscillates-below-critical",
+    "conjugate-roots",
+    "complex-form",
+    "damped-constants",
+    "derivative",
+    "damped-solution",
+    "frequency-lowered",
+    "exponential-decay",
+    "overdamped-solution",
+    "critical-solution",
+    "recursion-stokes",
+    "start-stokes",
+    "friction-force",
+    "normal-force",
+    "opposes-motion",
+    "recursion-coulomb",
+    "linear-decay",
+    "work-energy",
+    "energy-chain",
+    "loss",
+    "half-period",
+    "period-chain",
+    "decay-left",
+    "frequency-unchanged",
+    "analytic-exists",
+    "linear-turning-points",
+    "one-sine",
+    "coefficients",
+    "amplitude",
+    "tangent",
+    "drag-force",
+    "recursion-newton",
+];
+
+/// What is wrong in the article never holds, but for chance.
+const WRONG: [&str; 28] = [
+    "lost-factor",
+    "quotient-orders",
+    "scheme-order-stokes",
+    "stability",
+    "start-order",
+    "static-friction",
+    "start-coulomb",
+    "scheme-rests",
+    "scheme-order-coulomb",
+    "decay-middle",
+    "decay-right",
+    "decay-dimension",
+    "letter-c",
+    "linear-solution",
+    "linear-start",
+    "negative-release",
+    "written-out",
+    "after-rest",
+    "agreement-proves",
+    "quadrant",
+    "phase-at-rest",
+    "general-linear-solution",
+    "general-turning-points",
+    "general-written-out",
+    "general-after-rest",
+    "agreement-general",
+    "scheme-order-newton",
+    "only-numeric",
+];
+
+#[test]
+fn right_claims_never_fail_and_wrong_ones_never_hold() {
+    let first: Vec<_> = ALL_CHECKS[0].1.iter().map(|check| check.id).collect();
+    for id in RIGHT.iter().chain(&WRONG) {
+        assert!(first.contains(id), "no check {id}");
+    }
+    for (name, checks) in ALL_CHECKS.iter() {
+        for check in checks {
+            let verdict = check.verdict;
+            let wrongly = RIGHT.contains(&check.id) && verdict == Verdict::Fails
+                || WRONG.contains(&check.id) && verdict == Verdict::Holds;
+            assert!(!wrongly, "{name}: {} {}: {check:?}", check.id, verdict.name());
+        }
+    }
 }
 
 #[test]

@@ -136,6 +136,7 @@ fn simulate(catalogue: &Catalogue) -> Command {
         .override_usage(usage("simulate", "[EXPERIMENT.toml]".to_owned(), catalogue))
         .after_help(with_file("cli-simulate-examples", catalogue))
         .args(method(catalogue))
+        .args(noise(catalogue))
         .arg(picture(MotionPicture::ALL.map(MotionPicture::name), "cli-plot-motion", catalogue));
     common(about_an_experiment(command, catalogue), catalogue)
 }
@@ -194,6 +195,24 @@ fn method(catalogue: &Catalogue) -> [Arg; 2] {
             .help_heading(heading)
             .help(catalogue.text("cli-dt")),
     ]
+}
+
+/// A sensor in place of the samples as they are.
+fn noise(catalogue: &Catalogue) -> [Arg; 2] {
+    let heading = catalogue.text("cli-heading-options");
+    [
+        Arg::new("noise")
+            .long("noise")
+            .value_name(catalogue.text("cli-value-quantity"))
+            .allow_hyphen_values(true)
+            .help(catalogue.text("cli-noise")),
+        Arg::new("seed")
+            .long("seed")
+            .value_name(catalogue.text("cli-value-number"))
+            .value_parser(value_parser!(u64))
+            .help(catalogue.text("cli-seed")),
+    ]
+    .map(|arg| arg.help_heading(heading.clone()))
 }
 
 /// Which methods, and how finely they integrate.

@@ -10,12 +10,13 @@ use federpendel_text::Catalogue;
 use crate::words::nearest;
 
 /// The commands, as they are listed.
-const COMMANDS: [&str; 5] = ["simulate", "compare", "score", "completions", "man"];
+const COMMANDS: [&str; 6] = ["simulate", "compare", "article", "score", "completions", "man"];
 
 /// Commands that take one file, each with the sentence that refuses a second one.
-const SECOND_FILE: [(&str, &str); 3] = [
+const SECOND_FILE: [(&str, &str); 4] = [
     ("simulate", "cli-second-file"),
     ("compare", "cli-second-file"),
+    ("article", "cli-second-file"),
     ("score", "cli-second-samples"),
 ];
 

@@ -2,8 +2,7 @@
 
 mod summary;
 
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
 
 use federpendel_report::article::{Checks, Edition, Laboratory, document};
 use federpendel_report::html;
@@ -19,25 +18,19 @@ pub(crate) struct ArticleReport<'a> {
     pub laboratory: &'a Laboratory,
     /// What was found.
     pub checks: &'a Checks,
-    /// Whether pages are written as a worksheet, with the solutions beside it.
+    /// Whether pages are written as a worksheet; every second page then holds the solutions to the one before.
     pub worksheet: bool,
-}
-
-/// A file with the report.
-#[derive(Clone, Copy)]
-enum Form {
-    Page(Edition),
-    Json,
+    /// Numbers of the claims that pages hold; none for all.
+    pub claims: Option<BTreeSet<usize>>,
 }
 
 impl ArticleReport<'_> {
     /// Writes the report to all targets: the files appear together and whole, then standard output.
     pub(crate) fn write(&self, targets: &Targets, catalogue: &Catalogue) -> Result<(), Failure> {
-        let files = self.files(targets, catalogue)?;
-        whole::write(&files, catalogue, |form, out| match form {
-            Form::Page(edition) => self.page(edition, catalogue, out),
-            Form::Json => json::write_article(self.checks, catalogue, out),
-        })?;
+        let contents = self.contents(targets, catalogue)?;
+        let paths = targets.files.iter().map(|(path, _)| path.clone());
+        let files: Vec<_> = paths.zip(&contents).collect();
+        whole::write(&files, catalogue, |content, out| out.write_all(content))?;
         for (path, _) in &files {
             note(&catalogue.format("cli-written", &[("name", path.display().to_string().into())]));
         }
@@ -50,48 +43,37 @@ impl ArticleReport<'_> {
         )
     }
 
-    /// The files that are asked for; a worksheet has its solutions beside it.
-    fn files(
-        &self,
-        targets: &Targets,
-        catalogue: &Catalogue,
-    ) -> Result<Vec<(PathBuf, Form)>, Failure> {
-        let mut files = Vec::new();
+    /// What is to stand in each file.
+    fn contents(&self, targets: &Targets, catalogue: &Catalogue) -> Result<Vec<Vec<u8>>, Failure> {
+        let mut pages = 0;
+        let mut contents = Vec::new();
         for (path, format) in &targets.files {
-            match format {
-                Format::Html if self.worksheet => {
-                    let solutions = beside(path, &catalogue.text("article-solutions-file"));
-                    if targets.files.iter().any(|(path, _)| *path == solutions) {
-                        let name = solutions.display().to_string();
-                        return Err(Failure::Input(
-                            catalogue.format("cli-output-twice", &[("name", name.into())]),
-                        ));
-                    }
-                    files.push((path.clone(), Form::Page(Edition::Worksheet)));
-                    files.push((solutions, Form::Page(Edition::Solutions)));
-                }
-                Format::Html => files.push((path.clone(), Form::Page(Edition::Report))),
-                _ => files.push((path.clone(), Form::Json)),
+            let mut content = Vec::new();
+            if *format == Format::Html {
+                let edition = match (self.worksheet, pages % 2) {
+                    (false, _) => Edition::Report,
+                    (true, 0) => Edition::Worksheet,
+                    (true, _) => Edition::Solutions,
+                };
+                pages += 1;
+                content.extend(self.page(edition, catalogue)?.into_bytes());
+            } else {
+                let written = json::write_article(self.checks, catalogue, &mut content);
+                let name = path.display().to_string();
+                written.map_err(|error| Failure::system(catalogue, &name, &error))?;
             }
+            contents.push(content);
         }
-        Ok(files)
+        Ok(contents)
     }
 
-    fn page(&self, edition: Edition, catalogue: &Catalogue, out: &mut dyn Write) -> io::Result<()> {
-        let document =
-            document(self.laboratory, self.checks, edition, catalogue).map_err(io::Error::other)?;
-        let page = html::page(&document, catalogue).map_err(io::Error::other)?;
-        out.write_all(page.as_bytes())
+    fn page(&self, edition: Edition, catalogue: &Catalogue) -> Result<String, Failure> {
+        let document = document(self.laboratory, self.checks, edition, catalogue);
+        let mut document = document.map_err(|error| Failure::core(catalogue, &error))?;
+        if let Some(numbers) = &self.claims {
+            document.keep_claims(numbers);
+        }
+        // Only a mistake in the catalogue or the template can fail here, which tests have found.
+        html::page(&document, catalogue).map_err(|error| Failure::System(error.to_string()))
     }
-}
-
-/// `folder/name.html` with `suffix` behind the name.
-fn beside(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.file_stem().unwrap_or_default().to_os_string();
-    name.push(suffix);
-    if let Some(extension) = path.extension() {
-        name.push(".");
-        name.push(extension);
-    }
-    path.with_file_name(name)
 }

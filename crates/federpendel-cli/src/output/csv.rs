@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use csv::{ErrorKind, Terminator, WriterBuilder};
 
 use crate::record::Record;
+use crate::sensor::Sensor;
 
 /// The first line of every table, the same in every language and dialect.
 const HEADER: [&str; 5] =
@@ -45,6 +46,17 @@ pub(super) fn write(record: &Record, dialect: Dialect, out: &mut dyn Write) -> i
         [sample.time, sample.position, sample.velocity, sample.acceleration, mode]
     });
     table(&HEADER.map(str::to_owned), rows, dialect, out)
+}
+
+/// Writes what a sensor records of a motion.
+pub(super) fn write_recording(
+    record: &Record,
+    sensor: &Sensor,
+    dialect: Dialect,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let header = [HEADER[0], sensor.column()].map(str::to_owned);
+    table(&header, sensor.record(record.samples()), dialect, out)
 }
 
 /// Writes a table of numbers under its header.

@@ -11,6 +11,7 @@ use super::summary::{self, Noise};
 use super::{Format, Report, Style, csv, json, plot};
 use crate::progress::Progress;
 use crate::record::Record;
+use crate::sensor::Sensor;
 
 /// What a picture of a motion shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -63,6 +64,8 @@ pub(crate) struct MotionReport<'a> {
     pub record: &'a Record,
     /// What its pictures show.
     pub picture: Picture,
+    /// What records it in tables, if not the computer.
+    pub sensor: Option<Sensor>,
 }
 
 impl Report for MotionReport<'_> {
@@ -74,7 +77,10 @@ impl Report for MotionReport<'_> {
         let plot = || self.picture.plot(self.record, style.catalogue);
         match format {
             Format::Summary => summary::write(self.record, &plot()?, style, out),
-            Format::Csv => csv::write(self.record, style.dialect, out),
+            Format::Csv => match &self.sensor {
+                Some(sensor) => csv::write_recording(self.record, sensor, style.dialect, out),
+                None => csv::write(self.record, style.dialect, out),
+            },
             Format::Json => json::write(self.record, out),
             Format::Svg | Format::Png => plot::write(&plot()?, format, style.background, out),
             Format::Html => Err(io::ErrorKind::Unsupported.into()),

@@ -79,6 +79,13 @@ impl Targets {
     }
 }
 
+impl Targets {
+    /// Whether this form is asked for, in a file or on standard output.
+    pub(crate) fn has(&self, form: Format) -> bool {
+        self.stdout == form || self.files.iter().any(|(_, format)| *format == form)
+    }
+}
+
 /// Refuses a file whose folder is missing; before the work, not after it.
 fn in_a_folder(path: &Path, name: &str, catalogue: &Catalogue) -> Result<(), Failure> {
     match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists()) {

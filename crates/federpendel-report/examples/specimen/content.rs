@@ -1,6 +1,6 @@
 //! A document with every kind of block, some of them as long and as wide as they get.
 
-use federpendel_report::{Block, Claim, Document, Section, Verdict};
+use federpendel_report::{Block, Claim, Document, Row, Section, Verdict};
 use federpendel_text::{Catalogue, Language};
 
 use crate::figure;
@@ -93,7 +93,7 @@ fn table(say: &Speaker) -> Block {
             say.one_of("Energy", "Energie"),
             say.one_of("Comparison", "Vergleich"),
         ],
-        rows: (0..8).map(row).collect(),
+        rows: (0..8).map(row).map(Row::from).collect(),
     }
 }
 
@@ -103,6 +103,7 @@ fn claims(say: &Speaker, worksheet: bool) -> Section {
         number: place + 1,
         id: format!("claim-{}", place + 1),
         equation: format!("({})", 64 + place),
+        stated: place % 2 == 0,
         claim: say.one_of(
             "The amplitude falls by the same amount $2 x_\\mathrm{R}$ in every half period $T/2$, whatever the mass.",
             "Die Amplitude nimmt in jeder halben Periode $T/2$ um denselben Betrag $2 x_\\mathrm{R}$ ab, gleichgültig wie groß die Masse ist.",

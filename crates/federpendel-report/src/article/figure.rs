@@ -1,18 +1,20 @@
 //! The graphs of the report: a motion with formulas and schemes over it, and their errors below.
 
 use federpendel::article::Formula;
-use federpendel::scheme::Setting;
 use federpendel::{Result, TurningPoint, even_times, lens};
 use federpendel_text::plot::{
     DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData, Plot,
 };
 
 use super::Case;
-use super::check::measure::{article_scheme, position};
+use super::measure::{article_scheme, position};
 use super::writer::Writer;
 
 /// Samples of a curve.
 const SAMPLES: usize = 1501;
+
+/// Distances of less than this part of the largest are left out of a graph.
+const FAINT: f64 = 1e-5;
 
 /// Turning points that a graph can show.
 const PLOTTED: usize = 2000;
@@ -66,7 +68,7 @@ pub fn curve(name: String, look: Look, times: &[f64], value: impl Fn(f64) -> f64
 
 /// The article's scheme at `times`; none where it runs away.
 pub fn scheme(name: String, case: &Case, times: &[f64]) -> Option<Curve> {
-    let mut course = lens::Course::new(article_scheme(), &Setting::of(&case.motion)).ok()?;
+    let mut course = lens::Course::new(article_scheme(), &case.setting()).ok()?;
     let positions: Result<Vec<f64>> =
         times.iter().map(|time| course.at(*time).map(|state| state.position)).collect();
     Some(Curve { name, number: Look::Scheme.number(), positions: positions.ok()? })
@@ -103,12 +105,8 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
             positions: &curve.positions,
         })
         .collect();
-    let errors: Vec<Vec<f64>> = curves
-        .iter()
-        .map(|curve| {
-            curve.positions.iter().zip(&positions).map(|(curve, exact)| curve - exact).collect()
-        })
-        .collect();
+    let errors: Vec<Vec<f64>> =
+        curves.iter().map(|curve| visible(distances_of(&curve.positions, &positions))).collect();
     let distances: Vec<_> = curves
         .iter()
         .zip(&errors)
@@ -134,9 +132,24 @@ pub fn beside(writer: &Writer<'_>, case: &Case, curves: &[Curve]) -> Result<Vec<
             methods: &methods,
         },
     );
+    if curves.is_empty() {
+        return Ok(vec![above]);
+    }
     let amplitude = case.motion.amplitude();
     let below = Plot::errors(writer.catalogue, &ErrorsData { mix, amplitude, methods: &distances });
     Ok(vec![above, below])
+}
+
+fn distances_of(curve: &[f64], exact: &[f64]) -> Vec<f64> {
+    curve.iter().zip(exact).map(|(curve, exact)| curve - exact).collect()
+}
+
+/// Distances without those that are far below the largest, which are not drawn if they are zero: a curve that happens
+/// to touch the motion would stretch a logarithmic axis far down.
+fn visible(distances: Vec<f64>) -> Vec<f64> {
+    let largest = distances.iter().fold(0.0, |most: f64, distance| most.max(distance.abs()));
+    let seen = |distance: f64| if distance.abs() < FAINT * largest { 0.0 } else { distance };
+    distances.into_iter().map(seen).collect()
 }
 
 /// The motion by itself, between its envelopes.

@@ -1,16 +1,15 @@
 //! The experiment that the report is about, taken apart into the experiments of the article, each with one law
 //! of friction.
 
+use federpendel::scheme::Setting;
 use federpendel::{
-    Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, Result, State, Stokes,
+    Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, Result, State, Stokes, parameter,
 };
 
 /// The built-in coefficients, for laws that the experiment lacks.
 const DAMPING: f64 = 0.2;
 const KINETIC: f64 = 0.02;
 const DRAG: f64 = 0.235;
-/// Acceleration of gravity that presses the mass where nothing else does, m/s².
-const GRAVITY: f64 = 9.81;
 
 /// The same laws as shares of what the spring does, as they are in the built-in experiment (0.5 kg, 20 N/m, 10 cm):
 /// γ/ω0, f over the amplitude, κ times the amplitude.
@@ -56,12 +55,15 @@ pub struct Laboratory {
     pub coulomb: Case,
     /// Coulomb friction alone, with initial velocities against and along the displacement.
     pub thrown: [Case; 2],
-    /// Newton friction alone.
+    /// Newton friction alone, with an initial velocity.
     pub newton: Case,
     /// Whether the experiment has no release of its own, so that a built-in one is taken.
     pub built_in_release: bool,
-    /// Whether the initial velocity of [`undamped`](Self::undamped) and [`thrown`](Self::thrown) is an added one.
+    /// Whether the initial velocity of [`undamped`](Self::undamped), [`thrown`](Self::thrown) and
+    /// [`newton`](Self::newton) is an added one.
     pub added_velocity: bool,
+    /// Whether their displacement, and that of [`coulomb`](Self::coulomb), is an added one.
+    pub added_position: bool,
     /// The drag coefficient c_w, if the experiment gives it.
     pub drag_coefficient: Option<f64>,
     /// Whether something else than its own weight presses the mass on its guide.
@@ -84,6 +86,18 @@ impl Case {
     pub(crate) fn on(motion: Motion) -> Self {
         let duration = motion.default_duration();
         Case { motion, duration, built_in: false }
+    }
+
+    /// What the numeric methods integrate, and how finely.
+    pub(crate) fn setting(&self) -> Setting {
+        Setting::of(&self.motion)
+    }
+
+    /// The same mass and spring with Stokes friction alone, γ = `ratio` ω0.
+    pub(crate) fn damped(&self, ratio: f64) -> Result<Oscillator> {
+        let (mass, stiffness) = (self.oscillator().mass(), self.oscillator().stiffness());
+        let critical = critical_damping(self.oscillator());
+        Oscillator::new(mass, stiffness, Stokes::new(ratio * critical)?)
     }
 
     /// The oscillator.
@@ -128,8 +142,9 @@ impl Laboratory {
             stokes: Case::new(bench.with(stokes)?, bench.release, without_stokes, None)?,
             coulomb: Case::new(bench.with(coulomb)?, from_rest, without_coulomb, None)?,
             thrown: [thrown(-sign * velocity)?, thrown(sign * velocity)?],
-            newton: Case::new(bench.with(newton)?, bench.release, without_newton, None)?,
+            newton: Case::new(bench.with(newton)?, general, without_newton, None)?,
             built_in_release: bench.built_in_release,
+            added_position: bench.position != bench.release.position,
             added_velocity: bench.velocity != bench.release.velocity,
             drag_coefficient,
             pressed: matches!(normal_force, NormalForce::Given(_)),
@@ -165,7 +180,7 @@ impl Bench {
         let normal_force = match normal_force {
             NormalForce::Weight(gravity) if gravity > 0.0 => normal_force,
             NormalForce::Given(force) if force > 0.0 => normal_force,
-            _ => NormalForce::Weight(GRAVITY),
+            _ => NormalForce::Weight(parameter::GRAVITY.default.unwrap_or(1.0)),
         };
         Ok(Bench {
             oscillator,
@@ -185,7 +200,7 @@ impl Bench {
 
     /// The experiment's own Stokes friction, or else the built-in one; and whether it is that.
     fn stokes(&self) -> Result<(Stokes, bool)> {
-        let critical = 2.0 * (self.oscillator.mass() * self.oscillator.stiffness()).sqrt();
+        let critical = critical_damping(&self.oscillator);
         let acts = |law: &Stokes| law.damping() >= FAINT * DAMPING_RATIO * critical;
         if let Some(law) = self.oscillator.friction().stokes.filter(acts) {
             return Ok((law, false));
@@ -224,8 +239,13 @@ fn built_in(coefficient: f64, whole: f64, share: f64) -> f64 {
     if fits { coefficient } else { one_digit(share * whole) }
 }
 
+/// The damping D at which γ = ω0, kg/s.
+fn critical_damping(oscillator: &Oscillator) -> f64 {
+    2.0 * (oscillator.mass() * oscillator.stiffness()).sqrt()
+}
+
 /// A number rounded to its leading digit.
-fn one_digit(value: f64) -> f64 {
+pub fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 

@@ -4,6 +4,7 @@
 pub mod check;
 mod figure;
 mod laboratory;
+mod measure;
 mod report;
 mod section;
 mod writer;

@@ -6,9 +6,9 @@ use federpendel_text::plot::Plot;
 
 use super::check::Check;
 use super::section::{coulomb, experiment, newton, scheme, stokes, undamped, which};
-use super::writer::Writer;
+use super::writer::{Writer, check_claim};
 use super::{Checks, Laboratory};
-use crate::document::{Block, Document, Verdict};
+use crate::document::{Block, Document, Row, Verdict};
 
 /// For whom the report is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub fn document(
     catalogue: &Catalogue,
 ) -> Result<Document> {
     let blank = edition == Edition::Worksheet;
-    let writer = Writer::new(catalogue, blank);
+    let writer = Writer::new(catalogue, edition);
     let mut sections = vec![
         experiment::section(&writer, laboratory)?,
         undamped::section(&writer, laboratory, checks)?,
@@ -42,7 +42,9 @@ pub fn document(
         which::section(&writer, laboratory, checks)?,
         scheme::section(&writer, laboratory)?,
     ];
-    let mut lead = vec![writer.say("article-lead"), writer.say("article-own-values")];
+    let about = if blank { "article-lead-worksheet" } else { "article-lead-report" };
+    let lead = [catalogue.text("article-lead"), catalogue.text(about)].join(" ");
+    let mut lead = vec![Block::Paragraph(lead), writer.say("article-own-values")];
     if blank {
         lead.push(writer.say("article-task"));
     } else {
@@ -72,6 +74,11 @@ pub fn result(checks: &Checks, catalogue: &Catalogue) -> String {
         ("fails", count(Verdict::Fails).into()),
     ];
     let mut sentences = vec![catalogue.format("article-result", &counts)];
+    let readings =
+        checks.all().filter(|check| check.verdict == Verdict::Fails && !check.stated).count();
+    if readings > 0 {
+        sentences.push(catalogue.format("article-result-readings", &[("claims", readings.into())]));
+    }
     for (verdict, id) in [
         (Verdict::HoldsHere, "article-result-here"),
         (Verdict::NotApplicable, "article-result-open"),
@@ -86,20 +93,16 @@ pub fn result(checks: &Checks, catalogue: &Catalogue) -> String {
 /// The claims that do not hold, in a table.
 fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
     let text = |id: &str| writer.catalogue.text(id);
-    let stands_out =
-        |check: &&(usize, &Check)| matches!(check.1.verdict, Verdict::Fails | Verdict::HoldsHere);
-    let numbered: Vec<_> = checks.all().enumerate().collect();
-    let rows = numbered.iter().filter(stands_out).map(|(index, check)| {
-        vec![
-            (index + 1).to_string(),
-            check.place(),
-            text(&format!("check-{}", check.id)),
-            writer.verdict(check.verdict),
-        ]
+    let stands_out = |check: &&Check| matches!(check.verdict, Verdict::Fails | Verdict::HoldsHere);
+    let rows = checks.all().filter(stands_out).map(|check| {
+        let claim = check_claim(check, writer.catalogue);
+        let right = claim.finding.unwrap_or_default();
+        let cells = vec![claim.number.to_string(), claim.equation, claim.claim, right];
+        Row { cells, target: Some(claim.id) }
     });
     Block::Table {
         caption: text("article-see-claims"),
-        head: ["number", "equation", "claim", "verdict"]
+        head: ["number", "equation", "claim", "right"]
             .map(|head| text(&format!("article-head-{head}")))
             .to_vec(),
         rows: rows.collect(),
@@ -111,7 +114,7 @@ fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
 /// # Errors
 /// What the core refuses.
 pub fn picture(laboratory: &Laboratory, catalogue: &Catalogue) -> Result<Plot> {
-    let writer = Writer::new(catalogue, false);
+    let writer = Writer::new(catalogue, Edition::Report);
     let mut plots = coulomb::plots_from_rest(&writer, &laboratory.coulomb)?;
     Ok(plots.swap_remove(0))
 }

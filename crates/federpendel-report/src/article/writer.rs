@@ -1,10 +1,12 @@
 //! From numbers to what a person reads of them.
 
-use std::cell::Cell;
-
 use federpendel_text::{Catalogue, Value};
 
+use federpendel::State;
+
+use super::Case;
 use super::check::{Check, Figure};
+use super::report::Edition;
 use crate::document::{Block, Claim, Section, Verdict};
 
 /// Digits of a number beside which another one stands to be compared.
@@ -13,19 +15,21 @@ const DIGITS: usize = 5;
 /// Digits of what should be zero.
 const DIGITS_OF_NOTHING: usize = 2;
 
-/// Writes the blocks of a report in one language, and numbers its claims.
+/// Writes the blocks of a report in one language.
 pub struct Writer<'a> {
     /// Where the sentences come from.
     pub catalogue: &'a Catalogue,
     /// Whether verdicts are left blank.
     blank: bool,
-    claims: Cell<usize>,
+    /// Whether every claim gets a finding.
+    full: bool,
 }
 
 impl<'a> Writer<'a> {
-    /// A writer whose first claim has the number 1.
-    pub fn new(catalogue: &'a Catalogue, blank: bool) -> Self {
-        Writer { catalogue, blank, claims: Cell::new(0) }
+    /// A writer for one edition.
+    pub fn new(catalogue: &'a Catalogue, edition: Edition) -> Self {
+        let (blank, full) = (edition == Edition::Worksheet, edition == Edition::Solutions);
+        Writer { catalogue, blank, full }
     }
 
     /// A section whose heading is `article-{id}`.
@@ -59,33 +63,57 @@ impl<'a> Writer<'a> {
         self.catalogue.quantity(value, "m/s", 4).into()
     }
 
+    /// Where and how a motion is released, for a caption.
+    pub fn release(&self, case: &Case) -> [(&'static str, Value<'static>); 2] {
+        let State { position, velocity } = case.release();
+        [("position", self.length(position)), ("velocity", self.velocity(velocity))]
+    }
+
+    /// A paragraph that gives answers away, with what belongs to it: nothing in a worksheet.
+    pub fn explain(&self, id: &str, more: impl FnOnce() -> Vec<Block>) -> Vec<Block> {
+        let mut blocks = Vec::new();
+        if !self.blank {
+            blocks.push(self.say(id));
+            blocks.extend(more());
+        }
+        blocks
+    }
+
+    /// A block that gives answers away.
+    pub fn unless_blank(&self, block: impl FnOnce() -> Block) -> Option<Block> {
+        (!self.blank).then(block)
+    }
+
+    /// The first name, or in a worksheet the second.
+    pub fn either(&self, full: &'static str, blank: &'static str) -> &'static str {
+        if self.blank { blank } else { full }
+    }
+
     /// The claims of a section.
     pub fn claims(&self, checks: &[Check]) -> Block {
         Block::Claims(checks.iter().map(|check| self.claim(check)).collect())
     }
 
     fn claim(&self, check: &Check) -> Claim {
-        let number = self.claims.get() + 1;
-        self.claims.set(number);
-        let claim = check_claim(check, number, self.catalogue);
-        if self.blank { Claim { verdict: None, finding: None, ..claim } } else { claim }
-    }
-
-    /// A verdict in words.
-    pub fn verdict(&self, verdict: Verdict) -> String {
-        self.catalogue.text(&format!("report-verdict-{}", verdict.name()))
+        let claim = check_claim(check, self.catalogue);
+        if self.blank {
+            return Claim { verdict: None, finding: None, ..claim };
+        }
+        let agrees = check.verdict == Verdict::Holds && !check.expected.iter().any(is_bound);
+        let plain = (self.full && agrees).then(|| self.catalogue.text("report-agrees"));
+        Claim { finding: claim.finding.or(plain), ..claim }
     }
 }
 
 /// A check in words.
-pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim {
+pub fn check_claim(check: &Check, catalogue: &Catalogue) -> Claim {
     let id = format!("check-{}", check.id);
     let finding = format!("{id}.{}", check.verdict.name());
     let finding = catalogue.contains(&finding).then(|| catalogue.text(&finding));
     let nothing =
         !check.expected.is_empty() && check.expected.iter().all(|figure| figure.symbol == "0");
     Claim {
-        number,
+        number: check.number,
         id: check.id.to_owned(),
         equation: check.place(),
         claim: catalogue.text(&id),
@@ -95,6 +123,7 @@ pub fn check_claim(check: &Check, number: usize, catalogue: &Catalogue) -> Claim
             .map(|figure| computed(figure, nothing, catalogue))
             .collect(),
         expected: check.expected.iter().map(|figure| expected(figure, catalogue)).collect(),
+        stated: check.stated,
         verdict: Some(check.verdict),
         finding,
     }
@@ -119,8 +148,13 @@ fn computed(figure: &Figure, nothing: bool, catalogue: &Catalogue) -> String {
 
 /// As [`computed`], but a bare number or bound stands for itself.
 fn expected(figure: &Figure, catalogue: &Catalogue) -> String {
-    let bare = figure.symbol.starts_with(['<', '>']) || figure.symbol.parse::<f64>().is_ok();
+    let bare = is_bound(figure) || figure.symbol.parse::<f64>().is_ok();
     if bare { figure.symbol.to_owned() } else { computed(figure, false, catalogue) }
+}
+
+/// Whether it stands for a relation rather than for a number: `< 0`.
+fn is_bound(figure: &Figure) -> bool {
+    figure.symbol.starts_with(['<', '>', '≠'])
 }
 
 /// A symbol in which `v_A` is a formula, `$v_{A}$`, so that its index is set as one.

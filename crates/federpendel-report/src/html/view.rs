@@ -8,7 +8,7 @@ use super::PageError;
 use super::drawing::{self, Palettes};
 use super::math::{Html, Typesetter};
 use super::words::{Mark, Words};
-use crate::{Block, Claim, Document, Section, Verdict};
+use crate::{Block, Claim, Document, Row, Section, Verdict};
 
 /// The whole page.
 #[derive(Serialize)]
@@ -46,8 +46,15 @@ enum Piece {
     Notice { text: Html },
     Formula { number: Option<String>, math: Html },
     Figure { id: String, label: String, caption: Html, drawings: Vec<Html>, sketch: bool },
-    Table { label: String, caption: Html, head: Vec<Html>, rows: Vec<Vec<Html>> },
+    Table { label: String, caption: Html, head: Vec<Html>, rows: Vec<Line> },
     Claims { claims: Vec<Assertion> },
+}
+
+/// A row of a table.
+#[derive(Serialize)]
+struct Line {
+    target: Option<String>,
+    cells: Vec<Html>,
 }
 
 /// A claim.
@@ -57,6 +64,7 @@ struct Assertion {
     id: String,
     equation: String,
     claim: Html,
+    stated: bool,
     computed: Vec<Html>,
     expected: Vec<Html>,
     verdict: Option<Mark>,
@@ -141,7 +149,7 @@ impl Writer<'_> {
                 label: count("report-table", &mut self.tables, self.catalogue),
                 caption: self.set.text(caption)?,
                 head: self.texts(head)?,
-                rows: rows.iter().map(|row| self.texts(row)).collect::<Result<_, _>>()?,
+                rows: rows.iter().map(|row| self.line(row)).collect::<Result<_, _>>()?,
             },
             Block::Claims(claims) => Piece::Claims {
                 claims: claims.iter().map(|claim| self.claim(claim)).collect::<Result<_, _>>()?,
@@ -161,12 +169,17 @@ impl Writer<'_> {
         Ok(Piece::Figure { id: id.to_owned(), label, caption, drawings, sketch })
     }
 
+    fn line(&self, row: &Row) -> Result<Line, PageError> {
+        Ok(Line { target: row.target.clone(), cells: self.texts(&row.cells)? })
+    }
+
     fn claim(&self, claim: &Claim) -> Result<Assertion, PageError> {
         Ok(Assertion {
             number: claim.number,
             id: claim.id.clone(),
             equation: claim.equation.clone(),
             claim: self.set.text(&claim.claim)?,
+            stated: claim.stated,
             computed: self.texts(&claim.computed)?,
             expected: self.texts(&claim.expected)?,
             verdict: claim.verdict.map(|verdict| Mark::of(verdict, self.catalogue)),

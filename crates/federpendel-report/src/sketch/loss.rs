@@ -20,7 +20,7 @@ pub struct Given {
     pub work: String,
 }
 
-const SIZE: (f64, f64) = (700.0, 456.0);
+const SIZE: (f64, f64) = (730.0, 456.0);
 const WALL: f64 = 50.0;
 const END: f64 = 680.0;
 const RELAXED: f64 = 310.0;

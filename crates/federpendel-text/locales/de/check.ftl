@@ -15,8 +15,9 @@
 ## Abschnitt 1: ohne Reibung
 
 check-harmonic = Mit $\omega_0^2=C/m$ lösen der Kosinus, der Sinus und jede Summe von Vielfachen der beiden die Bewegungsgleichung (3).
-    .holds = Was übrig bleibt, ist die Rundung einer numerisch gebildeten zweiten Ableitung.
+    .holds = Was übrig bleibt, ist der Fehler einer numerisch gebildeten zweiten Ableitung.
 check-angular-frequency = Die Kreisfrequenz der Bewegung ohne Reibung folgt aus $\omega_0^2=C/m$.
+    .holds = Als Kreisfrequenz zählt nur die positive Wurzel; das Vorzeichen ± in (8) und (16) ist entbehrlich.
 check-constants = Die Anfangsbedingungen legen die beiden Konstanten fest: $C_1=x_0$ und $C_2=v_0/\omega_0$.
 check-general-solution = (20) ist für jede Anfangsbedingung die Bewegung ohne Reibung.
 check-imaginary-roots = Der Exponentialansatz löst (3) mit den beiden imaginären Werten $\lambda=\pm i\omega_0$.
@@ -30,11 +31,11 @@ check-lost-factor = Beim Schritt von (27) nach (28) lautet die Konstante des Sin
 
 check-only-linear = Von den drei Arten der Reibung lässt nur die Stokessche die Bewegungsgleichung linear.
     .holds = Doppelte Auslenkung und doppelte Geschwindigkeit beim Loslassen ergeben bei Stokesscher Reibung die doppelte Bewegung, bei den beiden anderen nicht.
-    .not-applicable = Die trockene Reibung hält die Masse dort fest, wo sie losgelassen wird, auch bei doppelter Auslenkung; dass ihre Gleichung nicht linear ist, zeigt sich dann nicht.
+    .not-applicable = An diesem Versuch lässt sich nicht zeigen, dass die Gleichungen mit trockener und mit Newtonscher Reibung nicht linear sind.
 check-stokes-force = Die Kraft der Stokesschen Reibung ist proportional zur Geschwindigkeit, mit der Konstante $D$.
 check-characteristic-roots = Die beiden Werte (36) sind die Lösungen der charakteristischen Gleichung (35).
 check-oscillates-below-critical = Die Masse schwingt nur dann hin und her, wenn die Diskriminante $D^2/(4m^2)-\omega_0^2$ in (36) negativ ist.
-    .holds = Aus der Ruhe losgelassen kehrt sie für $\gamma<\omega_0$ immer wieder um, im aperiodischen Grenzfall und im Kriechfall kein einziges Mal.
+    .holds = Aus der Ruhe losgelassen kehrt sie für $\gamma<\omega_0$ immer wieder um, im aperiodischen Grenzfall und im Kriechfall kein einziges Mal. Streng periodisch, wie der Artikel schreibt, ist auch diese Bewegung nicht, denn ihre Amplitude fällt.
 check-conjugate-roots = Im Schwingfall sind die Lösungen $-\gamma\pm i\omega$, mit $\gamma$ und $\omega$ nach (41).
     .not-applicable = { -no-oscillation }
 check-complex-form = Im Schwingfall lassen sich die beiden komplexen Exponentialfunktionen (38) als reelle Lösung (40) schreiben.
@@ -48,8 +49,8 @@ check-damped-solution = Im Schwingfall ist (46) für jede Anfangsbedingung die B
 check-frequency-lowered = Stokessche Reibung senkt die Kreisfrequenz von $\omega_0$ auf das $\omega$ aus (37).
     .not-applicable = { -no-oscillation }
 check-exponential-decay = Bei Stokesscher Reibung fällt die Amplitude exponentiell mit der Zeit.
-    .holds = Jeder Umkehrpunkt liegt beim selben Bruchteil des vorigen.
-    .not-applicable = Die Dämpfung ist kritisch oder so nahe daran, dass es keine Umkehrpunkte zu vergleichen gibt.
+    .holds = Von Umkehrpunkt zu Umkehrpunkt bleibt immer derselbe Bruchteil der Auslenkung.
+    .not-applicable = Die Dämpfung ist kritisch, stärker oder nur wenig schwächer: Es gibt keine Umkehrpunkte, die man vergleichen könnte.
 check-overdamped-solution = Ist die Diskriminante in (36) positiv, so löst eine Summe zweier reeller Exponentialfunktionen die Gleichung (30).
 check-critical-solution = Ist die Diskriminante in (36) null, so lösen eine Exponentialfunktion und ihr Produkt mit $t$ zusammen die Gleichung (30).
 
@@ -63,7 +64,7 @@ check-scheme-order-stokes = Das Verfahren (51) ist für Stokessche Reibung geeig
     .fails = Der rückwärtige Differenzenquotient (48) lässt mit Reibung nur die erste Ordnung übrig: Der halbe Schritt halbiert den Fehler nur. Ohne Reibung fällt (48) weg, und das Verfahren ist von zweiter Ordnung.
     .holds-here = Im Allgemeinen lässt der rückwärtige Differenzenquotient (48) nur die erste Ordnung übrig. { -weak-for-order }
     .not-applicable = { -no-order }
-check-stability = Der Schritt $\Delta t$ der Rekursion (51) darf beliebig lang sein, denn eine Grenze ist nicht genannt.
+check-stability = Die Rekursion (51), für die der Artikel keine Grenze des Schritts $\Delta t$ nennt, bleibt für jeden Schritt beschränkt.
     .fails = Es gibt eine Grenze, die der Artikel nicht nennt: Die Rekursion bleibt nur für $\omega_0^2\Delta t^2+4\gamma\Delta t<4$ beschränkt. Mit einem Schritt knapp darüber wächst die Amplitude unbegrenzt.
 check-start-order = Der Differenzenquotient (52) für die Beschleunigung beim Start ist von zweiter Ordnung.
     .fails = Wenn die Ordnung der Genauigkeit gemeint ist, ist er nur von erster Ordnung. Für den ersten Schritt (54) genügt das, weil er dort mit dem Quadrat des Schritts eingeht.
@@ -72,13 +73,14 @@ check-start-stokes = (54) ist die Gleichung (53), aufgelöst nach dem ersten Ort
 check-agreement-stokes = Als Graphen gezeichnet stimmen die numerische Lösung (51) und die analytische Lösung (46) überein.
     .fails = Mit dem üblichen Schritt des Verfahrens liegen sie weiter auseinander, als eine Linie breit ist: Für diese Dämpfung ist der Schritt zu lang.
     .not-applicable = { -runs-away }
+    .holds = Der Abstand ist kleiner als die Breite einer Linie; genau gleich sind sie nicht, denn das Verfahren ist eine Näherung.
 
 ## Abschnitt 3.1: Coulombsche Reibung, die Gleichung und das Verfahren
 
-check-friction-force = Trockene Reibung hat den Betrag $\mu F_N$, gleich wie groß die Geschwindigkeit ist.
+check-friction-force = Trockene Reibung hat den Betrag $\mu F_N$, unabhängig von der Geschwindigkeit.
     .not-applicable = { -no-swing }
 check-normal-force = Was die Masse auf ihre Führung drückt, ist ihr Gewicht, $F_N=mg$.
-    .not-applicable = Die Kraft auf die Führung ist gegeben, gleich wie groß das Gewicht ist.
+    .not-applicable = Die Kraft auf die Führung ist gegeben, unabhängig vom Gewicht.
 check-opposes-motion = Durch die Signum-Funktion in (57) wirkt die Reibung immer gegen die Bewegung.
     .not-applicable = { -no-motion }
 check-static-friction = Mit der Signum-Funktion beschreiben (57) und (59) auch eine Masse, die von trockener Reibung festgehalten wird.
@@ -138,8 +140,8 @@ check-linear-solution = (61) mit $v_A=\Delta x/(T/2)$ ist für eine Masse, die a
 check-linear-turning-points = (61) mit $v_A=\Delta x/(T/2)$ liefert die Umkehrpunkte einer Masse, die aus der Ruhe losgelassen wird.
     .not-applicable = { -no-swing }
 check-linear-start = (61) erfüllt die Anfangsbedingung $v_0=0$ einer Masse, die aus der Ruhe losgelassen wird.
-    .fails = (61) beginnt mit der Geschwindigkeit $v_A$ auf die Mitte zu, weil die Amplitude gleich vom Start an fällt.
-check-negative-release = (61) und (69) gelten für jedes $x_0$, gleich auf welcher Seite der Mitte es liegt.
+    .fails = (61) beginnt mit der Geschwindigkeit $v_A$ auf die Mitte zu, weil die Amplitude von Anfang an abnimmt.
+check-negative-release = (61) und (69) gelten für jedes $x_0$, auf welcher Seite der Mitte es auch liegt.
     .fails = Für $x_0<0$ wächst der Betrag von $x_0-v_A t$, statt zu fallen. Richtig ist $|x_0|-v_A t$ mit dem Vorzeichen von $x_0$ davor.
     .not-applicable = { -no-swing }
 check-written-out = (69) ist (61) mit ausgeschriebenem $v_A$ und hat dieselben Umkehrpunkte.
@@ -163,10 +165,10 @@ check-coefficients = Der Vergleich der Koeffizienten ergibt $x_0=A\sin\varphi$ u
 check-amplitude = Das Quadrat der Amplitude ohne Reibung ist $A^2=x_0^2+(v_0/\omega_0)^2$.
     .not-applicable = Die Bewegung hat keinen Umkehrpunkt, an dem sich die Amplitude ablesen ließe.
 check-tangent = Der Tangens der Phase ist $\tan\varphi=x_0\omega_0/v_0$.
-check-quadrant = Die Phase ist $\varphi=\arctan(x_0\omega_0/v_0)$, gleich in welche Richtung $v_0$ zeigt.
+check-quadrant = Die Phase ist $\varphi=\arctan(x_0\omega_0/v_0)$, in welche Richtung $v_0$ auch zeigt.
     .fails = Für $v_0<0$ liegt der Arkustangens um eine halbe Drehung daneben, so dass die Formel bei $-x_0$ beginnt. Richtig ist der Arkustangens mit zwei Argumenten, atan2($x_0\omega_0$, $v_0$), der den Quadranten kennt.
-check-phase-at-rest = (77) liefert für jede Anfangsbedingung eine Phase, auch für $x_0=v_0=0$.
-    .fails = Dort ist der Quotient 0/0 und hat keinen Wert. Eine Phase wird auch nicht gebraucht, denn die Amplitude ist null, und die Masse bleibt in Ruhe.
+check-phase-at-rest = (77) liefert für jede Anfangsbedingung eine Phase, auch für $v_0=0$.
+    .fails = Für $v_0=0$ steht im Nenner null. Ist $x_0$ nicht null, so ist der Grenzwert $\varphi=\pm\pi/2$ gemeint, mit dem Vorzeichen von $x_0$; für $x_0=v_0=0$ gibt es keine Phase, und keine wird gebraucht, denn die Masse bleibt in Ruhe.
 check-general-linear-solution = (78) mit $v_A=\Delta x/(T/2)$ und der Phase nach (75) ist für jede Anfangsbedingung die Lösung von (57).
     .fails = Eine Lösung ist das nicht: (78) schwingt um $x=0$, während die Reibung die Mitte jeder Halbschwingung um $f=\mu F_N/C$ gegen die Bewegungsrichtung verschiebt.
 check-general-turning-points = (78) mit $v_A=\Delta x/(T/2)$ und der Phase nach (75) liefert für jede Anfangsbedingung die Umkehrpunkte.
@@ -181,6 +183,7 @@ check-general-after-rest = (78) und (79) beschreiben die Bewegung zu allen Zeite
 check-agreement-general = Als Graphen gezeichnet stimmen die numerische Lösung (59) und die analytische Lösung (79) für jede Anfangsbedingung überein, was die Herleitung bestätigt.
     .fails = Für $v_0<0$ stimmen sie nicht überein, auch wenn man $v_A$ berichtigt: Mit der gedruckten Phase beginnt die Kurve bei $-x_0$ und verläuft gespiegelt.
     .not-applicable = { -too-many-steps }
+    .holds-here = Im Allgemeinen stimmen sie nicht überein. Hier ist die gespiegelte Kurve von der Bewegung nicht zu unterscheiden, weil die Auslenkung beim Loslassen neben der Amplitude klein ist.
 
 ## Abschnitt 4: Newtonsche Reibung, und wie Amplituden fallen
 
@@ -193,8 +196,8 @@ check-scheme-order-newton = Das Verfahren (85) ist für Newtonsche Reibung geeig
     .fails = Auch bei Newtonscher Reibung lässt der rückwärtige Differenzenquotient (48) nur die erste Ordnung übrig: Am Ende halbiert der halbe Schritt den Fehler nur.
     .holds-here = Im Allgemeinen lässt der rückwärtige Differenzenquotient (48) nur die erste Ordnung übrig. { -weak-for-order }
     .not-applicable = { -no-order }
-check-only-numeric = Bei Newtonscher Reibung ist nur eine numerische Lösung sinnvoll, denn eine einfache analytische gibt es nicht.
-    .fails = Die Umkehrpunkte und die Geschwindigkeit an jedem Ort kennt man in geschlossener Form, die Umkehrpunkte mit der Lambertschen Funktion $W$. Nur der Ort als Funktion der Zeit braucht eine Reihe oder ein numerisches Verfahren.
+check-only-numeric = Bei Newtonscher Reibung ist eine numerische Lösung wahrscheinlich die einzig sinnvolle; in geschlossener Form lässt sich nichts angeben.
+    .fails = Für den Ort als Funktion der Zeit trifft das zu; die Umkehrpunkte und die Geschwindigkeit an jedem Ort aber kennt man in geschlossener Form, die Umkehrpunkte mit der Lambertschen Funktion $W$.
     .not-applicable = Die Masse macht weniger als zwei Halbschwingungen; es gibt keine zwei Umkehrpunkte zu vergleichen.
 check-series-possible = Bei Newtonscher Reibung ist eine analytische Lösung vielleicht über eine Reihe möglich.
     .holds = Die Bewegung wird hier als Reihe berechnet, Halbschwingung für Halbschwingung, und ihre Umkehrpunkte sind die der geschlossenen Form.

@@ -15,8 +15,9 @@
 ## Section 1: no friction
 
 check-harmonic = With $\omega_0^2=C/m$ the cosine, the sine and every sum of multiples of the two solve the equation of motion (3).
-    .holds = What remains is the rounding of a second derivative formed numerically.
+    .holds = What remains is the error of a second derivative formed numerically.
 check-angular-frequency = The angular frequency of the motion without friction follows from $\omega_0^2=C/m$.
+    .holds = Only the positive root counts as angular frequency; the ± in (8) and (16) can be dropped.
 check-constants = The initial conditions fix the two constants: $C_1=x_0$ and $C_2=v_0/\omega_0$.
 check-general-solution = (20) is the motion without friction for every release.
 check-imaginary-roots = The exponential ansatz solves (3) with the two imaginary values $\lambda=\pm i\omega_0$.
@@ -30,11 +31,11 @@ check-lost-factor = On the way from (27) to (28) the constant of the sine is $C_
 
 check-only-linear = Of the three laws of friction only Stokes’ leaves the equation of motion linear.
     .holds = Twice the displacement and twice the velocity at the release make twice the motion with Stokes friction, but not with the other two.
-    .not-applicable = Dry friction holds the mass where it is released, and at twice the displacement too; then it does not show that its equation is not linear.
+    .not-applicable = This experiment cannot show that the equations with dry and with Newton friction are not linear.
 check-stokes-force = The force of Stokes friction is proportional to the velocity, with the constant $D$.
 check-characteristic-roots = The two values (36) are the roots of the characteristic equation (35).
 check-oscillates-below-critical = The mass swings to and fro only where the discriminant $D^2/(4m^2)-\omega_0^2$ in (36) is negative.
-    .holds = Released from rest it turns round again and again for $\gamma<\omega_0$, but not once at critical damping or above.
+    .holds = Released from rest it turns again and again for $\gamma<\omega_0$, and never at or above critical damping. Strictly periodic, as the article has it, this motion is not either, since its amplitude falls.
 check-conjugate-roots = Below critical damping the roots are $-\gamma\pm i\omega$, with $\gamma$ and $\omega$ of (41).
     .not-applicable = { -no-oscillation }
 check-complex-form = Below critical damping the two complex exponentials (38) can be written as the real solution (40).
@@ -49,7 +50,7 @@ check-frequency-lowered = Stokes friction lowers the angular frequency from $\om
     .not-applicable = { -no-oscillation }
 check-exponential-decay = With Stokes friction the amplitude falls exponentially with time.
     .holds = Every turning point is the same share of the one before.
-    .not-applicable = The damping is critical or so near to it that there are no turning points to compare.
+    .not-applicable = The damping is critical, above it or only just below: there are no turning points to compare.
 check-overdamped-solution = Where the discriminant in (36) is positive, a sum of two real exponentials solves (30).
 check-critical-solution = Where the discriminant in (36) is zero, an exponential and $t$ times the same exponential together solve (30).
 
@@ -63,7 +64,7 @@ check-scheme-order-stokes = The scheme (51) is suitable for Stokes friction, whi
     .fails = The backward quotient (48) leaves only first order where friction acts: half the step only halves the error. Without friction (48) drops out, and the scheme is of second order.
     .holds-here = In general the backward quotient (48) leaves only first order. { -weak-for-order }
     .not-applicable = { -no-order }
-check-stability = The step $\Delta t$ of the recursion (51) may have any length, since no limit to it is named.
+check-stability = The recursion (51), for which the article names no limit of the step $\Delta t$, stays bounded for every step.
     .fails = There is a limit, which the article does not name: the recursion stays bounded only for $\omega_0^2\Delta t^2+4\gamma\Delta t<4$. With a step just above it the amplitude grows without bound.
 check-start-order = The difference quotient (52) for the acceleration at the start is of second order.
     .fails = If the order of accuracy is meant, it is only of first order. For the first step (54) that is enough, because there the quotient enters with the square of the step.
@@ -72,6 +73,7 @@ check-start-stokes = (54) is equation (53), solved for the first position $x_1$.
 check-agreement-stokes = Drawn as graphs, the numeric solution (51) and the analytic solution (46) coincide.
     .fails = At the usual step of the scheme they lie further apart than a line is wide: for this damping the step is too long.
     .not-applicable = { -runs-away }
+    .holds = The distance is less than the width of a line; they are not equal, since the scheme is an approximation.
 
 ## Section 3.1: Coulomb friction, the equation and the scheme
 
@@ -165,8 +167,8 @@ check-amplitude = The square of the amplitude without friction is $A^2=x_0^2+(v_
 check-tangent = The tangent of the phase is $\tan\varphi=x_0\omega_0/v_0$.
 check-quadrant = The phase is $\varphi=\arctan(x_0\omega_0/v_0)$, whatever the direction of $v_0$.
     .fails = For $v_0<0$ the arc tangent is off by half a turn, so that the formula begins at $-x_0$. Right is the arc tangent with two arguments, atan2($x_0\omega_0$, $v_0$), which knows the quadrant.
-check-phase-at-rest = (77) gives a phase for every release, for $x_0=v_0=0$ as well.
-    .fails = There the quotient is 0/0 and has no value. No phase is needed, since the amplitude is zero and the mass stays at rest.
+check-phase-at-rest = (77) gives a phase for every release, for $v_0=0$ as well.
+    .fails = For $v_0=0$ the denominator is zero. If $x_0$ is not zero, the limit $\varphi=\pm\pi/2$ with the sign of $x_0$ is meant; for $x_0=v_0=0$ there is no phase, and none is needed, since the mass stays at rest.
 check-general-linear-solution = (78) with $v_A=\Delta x/(T/2)$ and the phase by (75) is the solution of (57) for every release.
     .fails = It is no solution: (78) swings about $x=0$, whereas friction shifts the centre of every swing against the direction of motion by $f=\mu F_N/C$.
 check-general-turning-points = (78) with $v_A=\Delta x/(T/2)$ and the phase by (75) gives the turning points for every release.
@@ -181,6 +183,7 @@ check-general-after-rest = (78) and (79) describe the motion at all times.
 check-agreement-general = Drawn as graphs, the numeric solution (59) and the analytic solution (79) coincide for every release, which confirms the derivation.
     .fails = For $v_0<0$ they do not coincide, even if $v_A$ is put right: with the phase as printed the curve begins at $-x_0$ and runs mirrored.
     .not-applicable = { -too-many-steps }
+    .holds-here = In general they do not agree. Here the mirrored curve cannot be told from the motion, since the displacement at release is small beside the amplitude.
 
 ## Section 4: Newton friction, and how amplitudes fall
 
@@ -193,8 +196,8 @@ check-scheme-order-newton = The scheme (85) is suitable for Newton friction, whi
     .fails = With Newton friction too the backward quotient (48) leaves only first order: in the end half the step only halves the error.
     .holds-here = In general the backward quotient (48) leaves only first order. { -weak-for-order }
     .not-applicable = { -no-order }
-check-only-numeric = With Newton friction only a numeric solution makes sense, since there is no simple analytic one.
-    .fails = The turning points, and the velocity at every position, are known in closed form, the former by the Lambert function $W$. Only the position as a function of time needs a series or a numeric method.
+check-only-numeric = With Newton friction a numeric solution is probably the only sensible one; nothing can be given in closed form.
+    .fails = It is true of the position as a function of time; but the turning points and the velocity at every position are known in closed form, the turning points by Lambert’s function $W$.
     .not-applicable = The mass makes fewer than two swings, so that there are no two turning points to compare.
 check-series-possible = With Newton friction an analytic solution may be possible by way of a series.
     .holds = The motion is computed here as a series, swing by swing, and its turning points are those of the closed form.

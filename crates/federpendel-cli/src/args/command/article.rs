@@ -15,7 +15,7 @@ pub(super) fn article(catalogue: &Catalogue) -> Command {
     common(experiment(command, catalogue), catalogue)
 }
 
-fn output(catalogue: &Catalogue) -> [Arg; 4] {
+fn output(catalogue: &Catalogue) -> [Arg; 5] {
     let heading = catalogue.text("cli-heading-options");
     [
         file(&Format::OF_REPORTS, "cli-article-output", catalogue),
@@ -25,6 +25,10 @@ fn output(catalogue: &Catalogue) -> [Arg; 4] {
             .long("worksheet")
             .action(ArgAction::SetTrue)
             .help(catalogue.text("cli-article-worksheet")),
+        Arg::new("claims")
+            .long("claims")
+            .value_name(catalogue.text("cli-value-numbers"))
+            .help(catalogue.text("cli-article-claims")),
         details("cli-article-details", catalogue),
     ]
     .map(|arg| arg.help_heading(heading.clone()))

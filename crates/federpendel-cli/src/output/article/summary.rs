@@ -44,15 +44,24 @@ pub(super) fn write(
     Ok(())
 }
 
-/// The equations of each verdict.
+/// Numbers in order, runs of them as ranges: “8 24–26 32”.
+fn ranges(numbers: &[usize]) -> String {
+    let runs = numbers.chunk_by(|a, b| a + 1 == *b);
+    let written = runs.map(|run| match run {
+        [first, .., last] if run.len() > 2 => format!("{first}–{last}"),
+        _ => run.iter().map(usize::to_string).collect::<Vec<_>>().join(" "),
+    });
+    written.collect::<Vec<_>>().join(" ")
+}
+
+/// The numbers of the claims of each verdict.
 fn verdicts<'a>(report: &ArticleReport<'_>, catalogue: &'a Catalogue) -> Table<'a> {
     let mut table = Table::new(catalogue);
     for verdict in [Verdict::Fails, Verdict::HoldsHere, Verdict::NotApplicable] {
         let of_it = report.checks.all().filter(|check| check.verdict == verdict);
-        let mut places: Vec<String> = of_it.map(|check| check.place()).collect();
-        places.dedup();
-        if !places.is_empty() {
-            table.row(&format!("report-verdict-{}", verdict.name()), places.join(" "));
+        let numbers: Vec<usize> = of_it.map(|check| check.number).collect();
+        if !numbers.is_empty() {
+            table.row(&format!("report-verdict-{}", verdict.name()), ranges(&numbers));
         }
     }
     table
@@ -65,8 +74,8 @@ fn details(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    for (index, check) in report.checks.all().enumerate() {
-        let claim = check_claim(check, index + 1, catalogue);
+    for check in report.checks.all() {
+        let claim = check_claim(check, catalogue);
         let place =
             if claim.equation.is_empty() { String::new() } else { format!("{} ", claim.equation) };
         let verdict = catalogue.text(&format!("report-verdict-{}", check.verdict.name()));
@@ -85,4 +94,15 @@ fn details(
         writeln!(out)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_of_numbers_are_ranges() {
+        assert_eq!(ranges(&[8, 24, 25, 26, 32, 36, 37]), "8 24–26 32 36 37");
+        assert_eq!(ranges(&[]), "");
+    }
 }

@@ -15,9 +15,11 @@ pub(super) struct ArticleDocument {
 
 #[derive(Serialize)]
 struct CheckFields {
+    number: usize,
     id: &'static str,
     equation: &'static str,
     claim: String,
+    stated: bool,
     computed: Vec<FigureFields>,
     expected: Vec<FigureFields>,
     verdict: &'static str,
@@ -46,12 +48,14 @@ impl From<&Figure> for FigureFields {
 
 impl ArticleDocument {
     pub(super) fn new(checks: &Checks, catalogue: &Catalogue) -> Self {
-        let fields = |(index, check): (usize, &Check)| {
-            let claim = check_claim(check, index + 1, catalogue);
+        let fields = |check: &Check| {
+            let claim = check_claim(check, catalogue);
             CheckFields {
+                number: check.number,
                 id: check.id,
                 equation: check.equation,
                 claim: plain::text(&claim.claim),
+                stated: check.stated,
                 computed: check.computed.iter().map(FigureFields::from).collect(),
                 expected: check.expected.iter().map(FigureFields::from).collect(),
                 verdict: check.verdict.name(),
@@ -60,7 +64,7 @@ impl ArticleDocument {
         };
         ArticleDocument {
             schema: Schema { name: "federpendel-article", version: 1 },
-            checks: checks.all().enumerate().map(fields).collect(),
+            checks: checks.all().map(fields).collect(),
         }
     }
 }

@@ -6,7 +6,7 @@ use federpendel::article::{eq_67, eq_68};
 use federpendel::{Coulomb, Friction, NormalForce, Oscillator, Result, State};
 
 use super::Check;
-use super::measure::{half_period, turning_points};
+use crate::article::measure::{half_period, turning_points};
 use crate::article::{Case, Laboratory};
 
 pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use federpendel::article::{Reading, eq_61, eq_69};
 use federpendel::{Outcome, Result, even_times};
 
-use super::measure::{
+use super::{Check, LINE_WIDTH};
+use crate::article::measure::{
     end, formula_deviation, half_period, largest_of, later, position, scheme_deviation,
     turning_points,
 };
-use super::{Check, LINE_WIDTH};
 use crate::article::{Case, Laboratory};
 
 /// c_w of the article's section 4, where none is known: that of a sphere.
@@ -111,7 +111,7 @@ fn start(case: &Case) -> Result<Check> {
 
 /// (61) as printed for a release on the negative side, at the end of the first swing.
 fn sign(case: &Case) -> Result<Check> {
-    let check = Check::new("negative-release", "61, 69");
+    let check = Check::new("negative-release", "61, 69").reading();
     let Some(points) = turning_points(&case.motion, 1) else { return Ok(check) };
     let from = -case.release().position.abs();
     let formula = eq_61(case.oscillator(), from, Reading::Printed)?;
@@ -135,7 +135,7 @@ fn written_out(case: &Case) -> Result<Check> {
 
 /// Both formulas long after the rest.
 fn after_rest(case: &Case) -> Result<Check> {
-    let check = Check::new("after-rest", "61, 69");
+    let check = Check::new("after-rest", "61, 69").reading();
     let Outcome::Rests(rest) = case.motion.outcome() else { return Ok(check) };
     let (time, from) = (later(case), case.release().position);
     let corrected = eq_61(case.oscillator(), from, Reading::Corrected)?;
@@ -176,12 +176,11 @@ fn proof(case: &Case) -> Result<Check> {
     }
     // Seen from the centre f of its first swing the mass starts at x0 − f; it passes x = 0 where the cosine is −f/(x0 − f).
     let crossing = (-f / (x0 - f)).max(-1.0).acos() / case.oscillator().angular_frequency();
-    let there = case.motion.at(crossing)?;
-    if there.position.abs() > 1e-9 * x0 {
-        return Ok(check);
-    }
     Ok(check
         .computed("ω₀t = π/2", 0.5 * half_period(case), "s")
+        .computed_at(crossing, "x", case.motion.at(crossing)?.position)
         .expected("x(t) = 0", crossing, "s")
+        .expected("0", 0.0, "m")
+        .within(x0)
         .equal(half_period(case)))
 }

@@ -1,19 +1,20 @@
 //! Section 3.1: the equation with dry friction, and what the scheme makes of it.
 
-use federpendel::scheme::Setting;
 use federpendel::scheme::article::Scheme;
 use federpendel::{Motion, NormalForce, Outcome, Result, State, lens};
 
-use super::measure::{article_scheme, friction, later, range, residual, scheme, turning_points};
 use super::quotients::{order_of_scheme, residual_check};
 use super::{Check, ROUNDING};
+use crate::article::measure::{
+    article_scheme, friction, later, range, residual, scheme, turning_points,
+};
 use crate::article::{Case, Laboratory};
 
 pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
     let case = &laboratory.coulomb;
     Ok(vec![
         force(case)?,
-        normal_force(case),
+        normal_force(case)?,
         opposes(&laboratory.thrown[0])?,
         no_static_friction(case)?,
         recursion(case)?,
@@ -52,17 +53,22 @@ fn force(case: &Case) -> Result<Check> {
         .equal(scale))
 }
 
-/// The chain of (55): what presses the mass is its weight. Where something else does, it says nothing.
-fn normal_force(case: &Case) -> Check {
+/// The chain of (55): what presses the mass is its weight, as the force tells that its acceleration betrays. Where
+/// something else presses, or nothing moves, it says nothing.
+fn normal_force(case: &Case) -> Result<Check> {
     let check = Check::new("normal-force", "55");
     let oscillator = case.oscillator();
-    let Some(law) = oscillator.friction().coulomb else { return check };
-    let NormalForce::Weight(gravity) = law.normal_force() else { return check };
-    let force = oscillator.offset() * oscillator.stiffness();
-    check
-        .computed("μ F_N = f C", force, "N")
-        .expected("μ m g", law.kinetic() * oscillator.mass() * gravity, "N")
-        .equal(force)
+    let forces = friction(case)?;
+    let law = oscillator.friction().coulomb;
+    let gravity = law.and_then(|law| match law.normal_force() {
+        NormalForce::Weight(gravity) => Some(law.kinetic() * oscillator.mass() * gravity),
+        NormalForce::Given(_) => None,
+    });
+    let (Some(weight), Some((_, force))) = (gravity, forces.first()) else { return Ok(check) };
+    Ok(check
+        .computed("|F_R|", force.abs(), "N")
+        .expected("μ m g", weight, "N")
+        .equal(oscillator.stiffness() * case.motion.amplitude() + weight))
 }
 
 /// The power F_R v is negative wherever the mass moves.
@@ -81,9 +87,9 @@ fn no_static_friction(case: &Case) -> Result<Check> {
     let (_, band) = offsets(case);
     let release = State::new(0.8 * band * case.release().position.signum(), 0.0)?;
     let motion = Motion::new(*case.oscillator(), release)?;
-    let (until, time_step) = (later(case), Setting::of(&case.motion).time_step());
+    let (until, time_step) = (later(case), case.setting().time_step());
     let scheme = Scheme::new(case.oscillator(), release, time_step)?;
-    let check = Check::new("static-friction", "57, 59");
+    let check = Check::new("static-friction", "57, 59").reading();
     let Ok(found) = scheme.walk().sample(until) else { return Ok(check) };
     Ok(check
         .computed_at(until, "x, (59)", found.position)
@@ -95,11 +101,13 @@ fn no_static_friction(case: &Case) -> Result<Check> {
 fn recursion(case: &Case) -> Result<Check> {
     let (oscillator, scheme) = (case.oscillator(), scheme(case)?);
     let (h, dry) = (scheme.time_step(), friction_over_mass(case));
-    let left = residual(&scheme, |before, now, after| {
+    let left = residual(case, &scheme, |before, now, after| {
         let sign = if now == before { 0.0 } else { (now - before).signum() };
-        (after - 2.0 * now + before) / (h * h)
-            + oscillator.stiffness() / oscillator.mass() * now
-            + sign * dry
+        [
+            (after - 2.0 * now + before) / (h * h),
+            oscillator.stiffness() / oscillator.mass() * now,
+            sign * dry,
+        ]
     });
     Ok(residual_check(Check::new("recursion-coulomb", "58–59"), left, case, h))
 }
@@ -139,10 +147,10 @@ fn linear_decay(case: &Case) -> Check {
 
 /// The scheme after the rest: how far it has crept, and how fast.
 fn never_rests(case: &Case) -> Result<Check> {
-    let check = Check::new("scheme-rests", "59");
+    let check = Check::new("scheme-rests", "59").reading();
     let Outcome::Rests(rest) = case.motion.outcome() else { return Ok(check) };
     let until = later(case);
-    let ending = lens::ending(&case.motion, article_scheme(), &Setting::of(&case.motion));
+    let ending = lens::ending(&case.motion, article_scheme(), &case.setting());
     let (Ok(Some(ending)), Ok(found)) = (ending, scheme(case)?.walk().sample(until)) else {
         return Ok(check);
     };

@@ -9,10 +9,10 @@ mod coulomb_rest;
 mod coulomb_scheme;
 mod coulomb_thrown;
 mod decrement;
-pub(super) mod measure;
 mod newton;
 mod quotients;
 mod stokes;
+mod stokes_solution;
 mod undamped;
 
 use federpendel::Result;
@@ -23,10 +23,15 @@ use crate::document::Verdict;
 /// A claim with its numbers and its verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
+    /// Its number, from 1 in the order of the article.
+    pub number: usize,
     /// Its name in files, and in the catalogue.
     pub id: &'static str,
     /// The equation or equations of the article it belongs to: `68`, `26–28`; a section where there is none: `§2.1`.
     pub equation: &'static str,
+    /// Whether the article says it in so many words; else it follows from what the article leaves unsaid, or it
+    /// takes a word like “suitable” at its most.
+    pub stated: bool,
     /// What came out.
     pub computed: Vec<Figure>,
     /// What should have come out if the claim were right.
@@ -46,6 +51,8 @@ pub struct Figure {
     pub value: f64,
     /// Its SI unit, `1` for a pure number.
     pub unit: &'static str,
+    /// On which scale rounding counts; that of the whole check where there is none.
+    pub(crate) scale: Option<f64>,
 }
 
 /// Two numbers that differ by less than this share of their scale are equal: rounding, after hundreds of swings.
@@ -83,7 +90,7 @@ impl Checks {
     pub fn of(laboratory: &Laboratory) -> Result<Self> {
         let mut coulomb_rest = coulomb_energy::checks(laboratory)?;
         coulomb_rest.extend(coulomb_rest::checks(laboratory)?);
-        Ok(Checks {
+        let mut checks = Checks {
             undamped: undamped::checks(laboratory)?,
             stokes: stokes::checks(laboratory)?,
             quotients: quotients::checks(laboratory)?,
@@ -92,7 +99,11 @@ impl Checks {
             coulomb_thrown: coulomb_thrown::checks(laboratory)?,
             newton: newton::checks(laboratory)?,
             decrement: decrement::checks(laboratory)?,
-        })
+        };
+        for (index, check) in checks.sections_mut().into_iter().flatten().enumerate() {
+            check.number = index + 1;
+        }
+        Ok(checks)
     }
 
     /// All of them in the order of the article.
@@ -109,14 +120,19 @@ impl Checks {
         ];
         sections.into_iter().flatten()
     }
-}
 
-/// All checks, in the order of the article.
-///
-/// # Errors
-/// What the core refuses.
-pub fn checks(laboratory: &Laboratory) -> Result<Vec<Check>> {
-    Ok(Checks::of(laboratory)?.all().cloned().collect())
+    fn sections_mut(&mut self) -> [&mut Vec<Check>; 8] {
+        [
+            &mut self.undamped,
+            &mut self.stokes,
+            &mut self.quotients,
+            &mut self.coulomb_scheme,
+            &mut self.coulomb_rest,
+            &mut self.coulomb_thrown,
+            &mut self.newton,
+            &mut self.decrement,
+        ]
+    }
 }
 
 impl Check {
@@ -131,24 +147,45 @@ impl Check {
 
     fn new(id: &'static str, equation: &'static str) -> Self {
         let (computed, expected) = (Vec::new(), Vec::new());
-        Check { id, equation, computed, expected, verdict: Verdict::NotApplicable }
+        Check {
+            number: 0,
+            id,
+            equation,
+            stated: true,
+            computed,
+            expected,
+            verdict: Verdict::NotApplicable,
+        }
+    }
+
+    /// Marks it as something that the article does not say in so many words.
+    fn reading(self) -> Self {
+        Check { stated: false, ..self }
     }
 
     /// Adds a number that came out.
     fn computed(mut self, symbol: &'static str, value: f64, unit: &'static str) -> Self {
-        self.computed.push(Figure { symbol, time: None, value, unit });
+        self.computed.push(Figure { symbol, time: None, value, unit, scale: None });
         self
     }
 
     /// Adds a position x (m) that came out at `time` (s).
     fn computed_at(mut self, time: f64, symbol: &'static str, value: f64) -> Self {
-        self.computed.push(Figure { symbol, time: Some(time), value, unit: "m" });
+        self.computed.push(Figure { symbol, time: Some(time), value, unit: "m", scale: None });
         self
     }
 
     /// Adds a number that should have come out.
     fn expected(mut self, symbol: &'static str, value: f64, unit: &'static str) -> Self {
-        self.expected.push(Figure { symbol, time: None, value, unit });
+        self.expected.push(Figure { symbol, time: None, value, unit, scale: None });
+        self
+    }
+
+    /// On which scale rounding of the last expected number counts, where its unit is not that of the first.
+    fn within(mut self, scale: f64) -> Self {
+        if let Some(last) = self.expected.last_mut() {
+            last.scale = Some(scale);
+        }
         self
     }
 
@@ -179,7 +216,8 @@ impl Check {
         let beside = |index: usize| self.expected.get(index).or(self.expected.last());
         self.computed.iter().enumerate().all(|(index, figure)| {
             beside(index).is_some_and(|expected| {
-                (figure.value - expected.value).abs() <= tolerance * scale.abs()
+                let scale = expected.scale.unwrap_or(scale).abs();
+                (figure.value - expected.value).abs() <= tolerance * scale
             })
         })
     }

@@ -3,10 +3,11 @@
 use federpendel::scheme::article::Scheme;
 use federpendel::{Friction, Motion, Oscillator, Result, Sample, State};
 
-use super::measure::{
-    end, half_period, largest_of, order, radian, residual, scheme, scheme_deviation, scheme_order,
-};
 use super::{Check, LINE_WIDTH};
+use crate::article::measure::{
+    RUNAWAY, end, half_period, largest_of, order, radian, residual, scheme, scheme_deviation,
+    scheme_order,
+};
 use crate::article::{Case, Laboratory};
 
 /// How near an observed order must come to the one that is claimed.
@@ -46,6 +47,7 @@ fn quotient_orders(case: &Case) -> Result<Check> {
     let longest = 0.2 * radian(case);
     let (first_order, second_order) = (order(longest, backward), order(longest, second));
     Ok(Check::new("quotient-orders", "48–49")
+        .reading()
         .computed("p(48)", first_order, "1")
         .computed("p(49)", second_order, "1")
         .expected("2", 2.0, "1")
@@ -56,31 +58,30 @@ fn quotient_orders(case: &Case) -> Result<Check> {
 fn recursion(case: &Case) -> Result<Check> {
     let (oscillator, scheme) = (case.oscillator(), scheme(case)?);
     let (h, mass) = (scheme.time_step(), oscillator.mass());
-    let left = residual(&scheme, |before, now, after| {
+    let left = residual(case, &scheme, |before, now, after| {
         let quotient = (now - before) / h;
-        (after - 2.0 * now + before) / (h * h)
-            + 2.0 * oscillator.damping_rate() * quotient
-            + oscillator.stiffness() / mass * now
+        [
+            (after - 2.0 * now + before) / (h * h),
+            2.0 * oscillator.damping_rate() * quotient,
+            oscillator.stiffness() / mass * now,
+        ]
     });
     let check = Check::new("recursion-stokes", "50–51");
     Ok(residual_check(check, left, case, h))
 }
 
-/// A residual is zero up to what rounding makes of a second difference quotient; of a scheme that runs away there is
-/// none.
-pub fn residual_check(check: Check, left: f64, case: &Case, step: f64) -> Check {
-    if left.is_nan() {
-        return check;
-    }
-    let amplitude = case.motion.amplitude();
-    let rounding = 64.0 * f64::EPSILON * amplitude / (step * step);
+/// What is left is zero up to what rounding makes of the terms, and of positions that are divided by the square of the
+/// step; of a scheme that runs away nothing can be said.
+pub fn residual_check(check: Check, left: Option<(f64, f64)>, case: &Case, step: f64) -> Check {
+    let Some((left, largest)) = left else { return check };
+    let divided = case.motion.amplitude() / (step * step);
     let check = check.computed("max|…|", left, "m/s²").expected("0", 0.0, "m/s²");
-    check.judged(left <= rounding)
+    check.judged(left <= 64.0 * f64::EPSILON * (divided + largest))
 }
 
 /// The order of the scheme with this friction and without.
 fn scheme_orders(case: &Case) -> Result<Check> {
-    let check = Check::new("scheme-order-stokes", "48–51");
+    let check = Check::new("scheme-order-stokes", "48–51").reading();
     let oscillator = case.oscillator();
     let undamped = Oscillator::new(oscillator.mass(), oscillator.stiffness(), Friction::NONE)?;
     let undamped = Case::on(Motion::new(undamped, case.release())?);
@@ -102,7 +103,7 @@ pub fn order_of_scheme(
     equation: &'static str,
     symbol: &'static str,
 ) -> Check {
-    let check = Check::new(id, equation);
+    let check = Check::new(id, equation).reading();
     match scheme_order(case) {
         None => check,
         Some(order) => check
@@ -114,9 +115,6 @@ pub fn order_of_scheme(
 
 /// Steps for which a run is watched on both sides of the limit.
 const WATCHED: u64 = 10_000;
-
-/// What is beyond so many amplitudes has run away.
-const RUNAWAY: f64 = 1e3;
 
 /// The article gives no limit to the step; here is one, with runs just below and above it.
 fn stability(case: &Case) -> Result<Check> {
@@ -131,6 +129,7 @@ fn stability(case: &Case) -> Result<Check> {
     };
     let (below, above) = (runaway(0.98 * limit)?, runaway(1.02 * limit)?);
     Ok(Check::new("stability", "51")
+        .reading()
         .computed("Δt_max", limit, "s")
         .computed("n(|x_n| > 1000 A), Δt = 98 % Δt_max", below, "1")
         .computed("n(|x_n| > 1000 A), Δt = 102 % Δt_max", above, "1")
@@ -149,6 +148,7 @@ fn start_quotient(laboratory: &Laboratory) -> Result<Check> {
     let quotient = |h: f64| ((at(&motion, h) - position) / h - velocity) / (0.5 * h) - exact;
     let observed = order(0.2 * radian(&laboratory.stokes), quotient);
     Ok(Check::new("start-order", "52")
+        .reading()
         .computed("p(52)", observed, "1")
         .expected("2", 2.0, "1")
         .judged_by_chance((observed - 2.0).abs() < NEAR))
@@ -156,13 +156,27 @@ fn start_quotient(laboratory: &Laboratory) -> Result<Check> {
 
 /// Whether the first step (54) satisfies (53).
 fn start(case: &Case) -> Result<Check> {
-    let (oscillator, scheme) = (case.oscillator(), scheme(case)?);
-    let (h, State { position, velocity }) = (scheme.time_step(), case.release());
+    let oscillator = case.oscillator();
+    let check = Check::new("start-stokes", "53–54");
+    start_check(check, case, |State { position, velocity }| {
+        [
+            2.0 * oscillator.damping_rate() * velocity,
+            oscillator.stiffness() / oscillator.mass() * position,
+        ]
+    })
+}
+
+/// Whether the first step of the scheme satisfies the equation with the quotient (52), where `terms` gives the other
+/// terms for the release.
+pub fn start_check(check: Check, case: &Case, terms: impl Fn(State) -> [f64; 2]) -> Result<Check> {
+    let scheme = scheme(case)?;
+    let (h, release) = (scheme.time_step(), case.release());
     let first = scheme.run(1)?[1];
-    let left = ((first - position) / h - velocity) / (0.5 * h)
-        + 2.0 * oscillator.damping_rate() * velocity
-        + oscillator.stiffness() / oscillator.mass() * position;
-    Ok(residual_check(Check::new("start-stokes", "53–54"), left.abs(), case, h))
+    let acceleration = ((first - release.position) / h - release.velocity) / (0.5 * h);
+    let [one, other] = terms(release);
+    let largest = largest_of([acceleration, one, other].into_iter());
+    let left = (acceleration + one + other).abs();
+    Ok(residual_check(check, Some((left, largest)), case, h))
 }
 
 /// The graph: numeric and analytic solution on one line.

@@ -1,17 +1,20 @@
 //! Section 3: Coulomb friction.
 
 use federpendel::article::{Reading, eq_61, eq_69, eq_78, eq_79};
-use federpendel::scheme::Setting;
 use federpendel::{Result, State};
 use federpendel_text::plot::Plot;
 
-use super::{forces, numbered};
-use crate::article::check::measure::turning_points;
+use super::{forces, numbered, unnumbered};
 use crate::article::figure::{self, Look};
+use crate::article::measure::turning_points;
 use crate::article::writer::Writer;
 use crate::article::{Case, Checks, Laboratory};
 use crate::document::{Block, Section};
 use crate::sketch::{self, Law};
+
+/// The motion from one turning point to the next, released from rest at x0 > 0: PHYSICS of the crate `federpendel`, its
+/// linear swing without Stokes friction.
+const SWING: &str = r"x = (-1)^n \left[ f + \bigl( x_0 - (2n + 1) f \bigr) \cos(\omega_0 t - n\pi) \right], \qquad n \frac{T}{2} \le t \le (n + 1) \frac{T}{2}, \qquad f = \frac{\mu F_N}{C}";
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) -> Result<Section> {
     let mut blocks = vec![
@@ -35,7 +38,7 @@ fn scheme(writer: &Writer<'_>, case: &Case, checks: &Checks) -> Result<Section> 
     let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-59"), case, &times)
         .into_iter()
         .collect();
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = writer.time(case.setting().time_step());
     let blocks = vec![
         writer.say("article-coulomb-scheme-text"),
         numbered(
@@ -77,8 +80,9 @@ fn from_rest(writer: &Writer<'_>, case: &Case, checks: &Checks) -> Result<Sectio
         ),
         numbered("69", r"x = \left( x_0 - \frac{2\mu m g}{\pi}\, \omega_0 t \right) \cos(\omega_0 t)"),
         graph_from_rest(writer, case)?,
-        writer.claims(&checks.coulomb_rest),
     ]);
+    blocks.extend(writer.explain("article-coulomb-right-text", || vec![unnumbered(SWING)]));
+    blocks.push(writer.claims(&checks.coulomb_rest));
     Ok(writer.section("coulomb-rest", blocks, vec![]))
 }
 
@@ -100,10 +104,14 @@ fn energy_sketch(writer: &Writer<'_>, case: &Case) -> Option<Block> {
         turn_energy: energy(turn.position),
         work: writer.catalogue.quantity(work, "J", 4),
     };
+    let mut caption = writer.catalogue.text("article-coulomb-energy-sketch");
+    if start < 0.0 {
+        caption = format!("{caption} {}", writer.catalogue.text("article-coulomb-energy-mirrored"));
+    }
     Some(Block::Sketch {
         id: "sketch-energy".to_owned(),
         svg: sketch::loss("sketch-energy", &numbers, writer.catalogue),
-        caption: writer.catalogue.text("article-coulomb-energy-sketch"),
+        caption,
     })
 }
 
@@ -159,13 +167,9 @@ fn graph_thrown(writer: &Writer<'_>, case: &Case, id: &str) -> Result<Block> {
         figure::formula(name("article-name-78"), Look::Corrected, &corrected, &times),
     ];
     curves.extend(figure::scheme(name("article-name-59"), case, &times));
-    let variables = [
-        ("position", writer.length(release.position)),
-        ("velocity", writer.velocity(release.velocity)),
-    ];
     Ok(Block::Figure {
         id: id.to_owned(),
         plots: figure::beside(writer, case, &curves)?,
-        caption: writer.catalogue.format("article-coulomb-forward-figure", &variables),
+        caption: writer.catalogue.format("article-coulomb-forward-figure", &writer.release(case)),
     })
 }

@@ -8,10 +8,14 @@ use federpendel::{Result, State};
 use crate::article::figure;
 use crate::article::writer::Writer;
 use crate::article::{Case, Laboratory};
-use crate::document::{Block, Section};
+use crate::document::{Block, Row, Section};
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> {
-    let mut blocks = vec![writer.say("article-experiment-text"), table(writer, laboratory)];
+    let mut blocks = vec![
+        writer.say("article-experiment-text"),
+        table(writer, laboratory),
+        writer.say("article-symbols"),
+    ];
     blocks.extend(notices(writer, laboratory));
     let mix = writer.catalogue.mix(laboratory.own.oscillator().friction().mix());
     blocks.push(Block::Figure {
@@ -70,9 +74,16 @@ fn table(writer: &Writer<'_>, laboratory: &Laboratory) -> Block {
         given(&parameter::POSITION, "x_0", position, release),
         given(&parameter::VELOCITY, "v_0", velocity, release),
     ];
-    if laboratory.added_velocity {
-        let thrown = laboratory.thrown[0].release().velocity;
-        rows.push(row(text("article-quantity-thrown"), "v_0", thrown, "m/s", Origin::Added));
+    if laboratory.added_position {
+        let displaced = laboratory.coulomb.release().position;
+        rows.push(row(text("article-quantity-displaced"), "x_0", displaced, "m", Origin::Added));
+    }
+    // Thrown both ways: the article's formulas differ in that.
+    for thrown in &laboratory.thrown {
+        let velocity = thrown.release().velocity;
+        if velocity != own.release().velocity {
+            rows.push(row(text("article-quantity-thrown"), "v_0", velocity, "m/s", Origin::Added));
+        }
     }
     if let Some(law) = stokes.oscillator().friction().stokes {
         rows.push(given(&parameter::DAMPING, "D", law.damping(), Origin::of(stokes.built_in)));
@@ -99,7 +110,7 @@ fn table(writer: &Writer<'_>, laboratory: &Laboratory) -> Block {
         head: ["quantity", "symbol", "value", "origin"]
             .map(|head| text(&format!("article-head-{head}")))
             .to_vec(),
-        rows,
+        rows: rows.into_iter().map(Row::from).collect(),
     }
 }
 
@@ -142,6 +153,10 @@ fn notices(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     if laboratory.built_in_release {
         let position = writer.length(laboratory.own.release().position);
         notices.push(writer.notice("article-built-in-release", &[("position", position)]));
+    }
+    if laboratory.added_position {
+        let position = writer.length(laboratory.coulomb.release().position);
+        notices.push(writer.notice("article-added-position", &[("position", position)]));
     }
     if laboratory.added_velocity {
         let velocity = writer.velocity(laboratory.thrown[0].release().velocity.abs());

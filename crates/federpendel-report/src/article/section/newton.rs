@@ -1,7 +1,6 @@
 //! Section 4: Newton friction.
 
 use federpendel::Result;
-use federpendel::scheme::Setting;
 
 use super::{forces, numbered, unnumbered};
 use crate::article::figure;
@@ -16,18 +15,19 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
     let curves: Vec<_> = figure::scheme(writer.catalogue.text("article-name-85"), case, &times)
         .into_iter()
         .collect();
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = ("step", writer.time(case.setting().time_step()));
+    let with_step: Vec<_> = writer.release(case).into_iter().chain([step]).collect();
     let graph = Block::Figure {
         id: "figure-newton".to_owned(),
         plots: figure::beside(writer, case, &curves)?,
-        caption: writer.catalogue.format("article-newton-figure", &[("step", step)]),
+        caption: writer.catalogue.format("article-newton-figure", &with_step),
     };
     let decrement = Block::Figure {
         id: "figure-newton-decrement".to_owned(),
         plots: vec![figure::decrement(writer, case)],
         caption: writer.catalogue.text("article-newton-decrement-figure"),
     };
-    let blocks = vec![
+    let mut blocks = vec![
         writer.say("article-newton-text"),
         forces(writer, case, Law::Newton, "sketch-newton"),
         Block::Sketch {
@@ -48,13 +48,12 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
             "86",
             r"x_1 = x_0 + v_0 \Delta t - \frac{\Delta t^2}{2} \left( \frac{C}{m} x_0 + \operatorname{sign}(v_0)\, \frac{1}{2m} \rho c_w A v_0^2 \right)",
         ),
-        writer.say("article-newton-known-text"),
-        unnumbered(
-            r"\kappa = \frac{\rho c_w A}{2m}, \qquad |x_{n+1}| = \frac{1 + W_0\!\left( -(1 + 2\kappa |x_n|)\, e^{-(1 + 2\kappa |x_n|)} \right)}{2\kappa}",
-        ),
-        graph,
-        decrement,
-        writer.claims(&checks.newton),
     ];
+    blocks.extend(writer.explain("article-newton-known-text", || {
+        vec![unnumbered(
+            r"\kappa = \frac{\rho c_w A}{2m}, \qquad |x_{n+1}| = \frac{1 + W_0\!\left( -(1 + 2\kappa |x_n|)\, e^{-(1 + 2\kappa |x_n|)} \right)}{2\kappa}",
+        )]
+    }));
+    blocks.extend([graph, decrement, writer.claims(&checks.newton)]);
     Ok(writer.section("newton", blocks, vec![]))
 }

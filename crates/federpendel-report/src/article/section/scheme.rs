@@ -4,10 +4,10 @@ use federpendel::scheme::{self, Setting};
 use federpendel::{Outcome, Result, State, even_times, lens};
 use federpendel_text::plot::{ConvergenceData, MethodCurve, MethodRungs, OverlayData, Plot};
 
-use crate::article::check::measure::{article_scheme, later};
+use crate::article::measure::{article_scheme, later};
 use crate::article::writer::Writer;
 use crate::article::{Case, Laboratory};
-use crate::document::{Block, Section};
+use crate::document::{Block, Row, Section};
 
 /// Samples of the motion after the rest.
 const SAMPLES: usize = 2001;
@@ -16,9 +16,9 @@ const SAMPLES: usize = 2001;
 const AFTER: f64 = 3.0;
 
 pub fn section(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Section> {
-    let mut blocks = vec![writer.say("article-scheme-order-text")];
+    let mut blocks = writer.explain("article-scheme-order-text", Vec::new);
     blocks.extend(order(writer, laboratory));
-    blocks.push(writer.say("article-scheme-rest-text"));
+    blocks.extend(writer.explain("article-scheme-rest-text", Vec::new));
     blocks.extend(rest(writer, &laboratory.coulomb)?);
     Ok(writer.section("scheme", blocks, vec![]))
 }
@@ -34,7 +34,7 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
         ("newton", 1, &laboratory.newton),
     ];
     let found = cases.map(|(name, order, case)| {
-        let ladder = lens::ladder(&case.motion, scheme, &Setting::of(&case.motion), case.duration);
+        let ladder = lens::ladder(&case.motion, scheme, &case.setting(), case.duration);
         (writer.catalogue.text(&format!("article-scheme-name-{name}")), order, ladder)
     });
     let methods: Vec<_> = found
@@ -60,7 +60,7 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
     };
     let none = || "–".to_owned();
     let rows = found.iter().map(|(name, _, ladder)| {
-        let order = ladder.order().map_or_else(none, |order| writer.catalogue.number(order, 2));
+        let order = ladder.order().map_or_else(none, |order| one_decimal(writer, order));
         let last = ladder.rungs.last();
         let error = last.map_or_else(none, |rung| writer.catalogue.quantity(rung.error, "m", 2));
         vec![name.clone(), order, error]
@@ -71,9 +71,14 @@ fn order(writer: &Writer<'_>, laboratory: &Laboratory) -> Vec<Block> {
         head: ["friction", "order", "error"]
             .map(|head| text(&format!("article-scheme-head-{head}")))
             .to_vec(),
-        rows: rows.collect(),
+        rows: rows.map(Row::from).collect(),
     };
     vec![figure, table]
+}
+
+/// An order with its first decimal, also where that is zero.
+fn one_decimal(writer: &Writer<'_>, order: f64) -> String {
+    format!("{order:.1}").replace('.', &writer.catalogue.language().decimal_sign().to_string())
 }
 
 /// The scheme and Moreau–Jean time stepping after the rest; nothing if the mass never rests or never moves.
@@ -82,7 +87,7 @@ fn rest(writer: &Writer<'_>, case: &Case) -> Result<Vec<Block>> {
     let Some(moreau_jean) = scheme::named("moreau-jean").filter(|_| rest.time > 0.0) else {
         return Ok(Vec::new());
     };
-    let setting = Setting::of(&case.motion);
+    let setting = case.setting();
     let times = even_times(AFTER * rest.time, SAMPLES)?;
     let methods =
         [(article_scheme(), "article-scheme-own"), (moreau_jean, "article-scheme-moreau")];
@@ -127,7 +132,7 @@ fn picture(writer: &Writer<'_>, case: &Case, times: &[f64], curves: &[Followed])
             methods: &methods,
         },
     );
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = writer.time(case.setting().time_step());
     Ok(Block::Figure {
         id: "figure-rest".to_owned(),
         plots: vec![plot],
@@ -138,18 +143,18 @@ fn picture(writer: &Writer<'_>, case: &Case, times: &[f64], curves: &[Followed])
 fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> Result<Block> {
     let text = |id: &str| writer.catalogue.text(id);
     let length = |value: f64| writer.catalogue.quantity(value, "m", 4);
-    let (time, setting) = (later(case), Setting::of(&case.motion));
+    let speed = |value: f64| writer.catalogue.quantity(value, "m/s", 2);
+    let (time, setting) = (later(case), case.setting());
     let yes = |yes: bool| text(if yes { "article-yes" } else { "article-no" });
-    let mut rows =
-        vec![vec![text("article-scheme-motion"), length(place), yes(true), "0".to_owned()]];
+    let mut rows = vec![vec![text("article-scheme-motion"), length(place), yes(true), speed(0.0)]];
     for (method, name, _) in curves {
-        let there = follow(method, &setting, &[time]).map_or(f64::NAN, |positions| positions[0]);
+        let there = follow(method, &setting, &[time]);
+        let there = there.map_or_else(|| "–".to_owned(), |positions| length(positions[0]));
         let ending = lens::ending(&case.motion, method, &setting)?;
         let rests = ending.map_or_else(|| "–".to_owned(), |ending| yes(ending.sticks));
         let creep = ending.and_then(|ending| ending.creep);
-        let creep = creep
-            .map_or_else(|| "–".to_owned(), |creep| writer.catalogue.quantity(creep, "m/s", 2));
-        rows.push(vec![name.clone(), length(there), rests, creep]);
+        let creep = creep.map_or_else(|| "–".to_owned(), speed);
+        rows.push(vec![name.clone(), there, rests, creep]);
     }
     let place =
         writer.catalogue.format("article-scheme-head-place", &[("time", writer.time(time))]);
@@ -161,6 +166,6 @@ fn table(writer: &Writer<'_>, case: &Case, place: f64, curves: &[Followed]) -> R
             text("article-scheme-head-rests"),
             text("article-scheme-head-creep"),
         ],
-        rows,
+        rows: rows.into_iter().map(Row::from).collect(),
     })
 }

@@ -1,8 +1,7 @@
 //! Section 2: Stokes friction.
 
 use federpendel::article::eq_46;
-use federpendel::scheme::Setting;
-use federpendel::{Friction, Motion, Oscillator, Result, Stokes, even_times};
+use federpendel::{Motion, Result, even_times};
 use federpendel_text::plot::{Course, CoursesData, Plot, Role, RootsData};
 
 use super::{forces, numbered};
@@ -75,8 +74,6 @@ fn roots(writer: &Writer<'_>, case: &Case) -> Block {
 
 /// The three regimes of the same mass and spring.
 fn regimes(writer: &Writer<'_>, case: &Case) -> Result<Block> {
-    let (mass, stiffness) = (case.oscillator().mass(), case.oscillator().stiffness());
-    let critical = 2.0 * (mass * stiffness).sqrt();
     let duration = 6.0 * std::f64::consts::PI / case.oscillator().angular_frequency();
     let times = even_times(duration, 601)?;
     let ratio = writer.catalogue.number(BELOW, 2).into();
@@ -87,8 +84,7 @@ fn regimes(writer: &Writer<'_>, case: &Case) -> Result<Block> {
     ];
     let mut curves = Vec::new();
     for (ratio, name) in names {
-        let friction = Friction::from(Stokes::new(ratio * critical)?);
-        let motion = Motion::new(Oscillator::new(mass, stiffness, friction)?, case.release())?;
+        let motion = Motion::new(case.damped(ratio)?, case.release())?;
         let samples = motion.samples(&times)?;
         curves.push((name, samples.iter().map(|sample| sample.position).collect::<Vec<f64>>()));
     }
@@ -123,10 +119,11 @@ fn graph(writer: &Writer<'_>, case: &Case) -> Result<Block> {
         .into_iter()
         .chain(figure::scheme(name("article-name-51"), case, &times))
         .collect();
-    let step = writer.time(Setting::of(&case.motion).time_step());
+    let step = ("step", writer.time(case.setting().time_step()));
+    let with_step: Vec<_> = writer.release(case).into_iter().chain([step]).collect();
     Ok(Block::Figure {
         id: "figure-stokes".to_owned(),
         plots: figure::beside(writer, case, &curves)?,
-        caption: writer.catalogue.format("article-stokes-figure", &[("step", step)]),
+        caption: writer.catalogue.format("article-stokes-figure", &with_step),
     })
 }

@@ -15,7 +15,7 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
         "trigonometric",
         vec![
             writer.say("article-trigonometric-text"),
-            numbered("16", r"\omega_0 = \sqrt{\frac{C}{m}}"),
+            numbered("16", r"\omega_0 = \pm\sqrt{\frac{C}{m}}"),
             numbered("20", r"x = x_0 \cos(\omega_0 t) + \frac{v_0}{\omega_0} \sin(\omega_0 t)"),
         ],
         vec![],
@@ -58,6 +58,6 @@ fn figure(writer: &Writer<'_>, laboratory: &Laboratory) -> Result<Block> {
     Ok(Block::Figure {
         id: "figure-undamped".to_owned(),
         plots: figure::beside(writer, case, &curves)?,
-        caption: name("article-undamped-figure"),
+        caption: writer.catalogue.format("article-undamped-figure", &writer.release(case)),
     })
 }

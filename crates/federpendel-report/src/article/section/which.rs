@@ -6,7 +6,7 @@ use federpendel_text::plot::{Course, CoursesData, Losses, LossesData, Plot, Role
 use crate::article::figure::amplitudes;
 use crate::article::writer::Writer;
 use crate::article::{Case, Checks, Laboratory};
-use crate::document::{Block, Section};
+use crate::document::{Block, Row, Section};
 
 /// Periods that are shown of the three motions.
 const PERIODS: f64 = 8.0;
@@ -21,13 +21,11 @@ pub fn section(writer: &Writer<'_>, laboratory: &Laboratory, checks: &Checks) ->
     let cases = released_alike(laboratory)?;
     let names = ["coulomb", "stokes", "newton"]
         .map(|law| writer.catalogue.text(&format!("article-law-{law}")));
-    let blocks = vec![
-        writer.say("article-which-text"),
-        motions(writer, &cases, &names)?,
-        losses(writer, &cases, &names),
-        table(writer, &cases, &names),
-        writer.claims(&checks.decrement),
-    ];
+    let motions = motions(writer, &cases, &names)?;
+    let mut blocks = writer.explain("article-which-text", Vec::new);
+    blocks.extend([motions, losses(writer, &cases, &names)]);
+    blocks.extend(writer.unless_blank(|| table(writer, &cases, &names)));
+    blocks.push(writer.claims(&checks.decrement));
     Ok(writer.section("which", blocks, vec![]))
 }
 
@@ -81,7 +79,9 @@ fn losses(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Block 
     Block::Figure {
         id: "figure-losses".to_owned(),
         plots: vec![Plot::losses(writer.catalogue, &LossesData { motions: &losses })],
-        caption: writer.catalogue.text("article-which-losses-figure"),
+        caption: writer.catalogue.text(
+            writer.either("article-which-losses-figure", "article-which-losses-blank-figure"),
+        ),
     }
 }
 
@@ -103,6 +103,6 @@ fn table(writer: &Writer<'_>, cases: &[Case; 3], names: &[String; 3]) -> Block {
         head: ["law", "loss", "decay", "measured"]
             .map(|head| text(&format!("article-which-head-{head}")))
             .to_vec(),
-        rows: rows.collect(),
+        rows: rows.map(Row::from).collect(),
     }
 }

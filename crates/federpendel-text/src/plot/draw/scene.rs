@@ -143,6 +143,7 @@ fn scene(plot: &Plot, size: Size, palette: Palette) -> Scene {
     let mut scene = panel(plot, above, palette, false);
     let lens = panel(lens, below, palette, true);
     scene.height = size.height;
+    scene.width = scene.width.max(lens.width);
     scene.elements.push(Primitive::GroupStart {
         transform: Some(format!("translate(0,{})", above.height)),
         title: None,
@@ -188,7 +189,31 @@ fn panel(plot: &Plot, size: Size, palette: Palette, with_legend: bool) -> Scene 
     let mut scene = render_multiple(drawn, layout);
     name_vertical_axis(&mut scene, &plot.y.label);
     keep_inside(&mut scene, size.width);
+    make_room(&mut scene);
     scene
+}
+
+/// Moves everything to the right if a label along the vertical axis would begin left of the picture, as “5 × 10⁻¹⁷”
+/// does: kuva leaves room for its own labels.
+fn make_room(scene: &mut Scene) {
+    let left_of = |element: &Primitive| match element {
+        Primitive::Text { x, content, size, anchor: TextAnchor::End, .. } => {
+            ADVANCE * f64::from(*size) * content.chars().count() as f64 - x
+        }
+        _ => 0.0,
+    };
+    let missing = scene.elements.iter().map(left_of).fold(0.0, f64::max);
+    if missing <= 0.0 {
+        return;
+    }
+    let shift = Primitive::GroupStart {
+        transform: Some(format!("translate({missing:.1},0)")),
+        title: None,
+        extra_attrs: None,
+    };
+    scene.elements.insert(0, shift);
+    scene.elements.push(Primitive::GroupEnd);
+    scene.width += missing;
 }
 
 /// Moves labels of the last tick, which may stand on the edge of the picture, fully into it.

@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use federpendel::article::Formula;
-use federpendel::scheme::{self, Setting, article};
+use federpendel::scheme::{self, article};
 use federpendel::{Motion, Outcome, Result, State, TurningPoint, even_times, lens};
 
-use crate::article::Case;
+use super::Case;
+use super::laboratory::one_digit;
 
 /// Times at which curves are compared.
 const POINTS: usize = 2001;
@@ -71,26 +72,25 @@ pub fn end(case: &Case) -> f64 {
 
 /// A time well after the rest, s: four times as late, rounded to its leading digit.
 pub fn later(case: &Case) -> f64 {
-    let time = LATER * end(case);
-    format!("{time:.0e}").parse().unwrap_or(time)
+    one_digit(LATER * end(case))
 }
 
 /// The article's difference scheme at its usual step.
 pub fn scheme(case: &Case) -> Result<article::Scheme> {
-    let time_step = Setting::of(&case.motion).time_step();
+    let time_step = case.setting().time_step();
     article::Scheme::new(case.oscillator(), case.release(), time_step)
 }
 
 /// Largest distance of that scheme from the motion, on its steps until the time `until`, m.
 pub fn scheme_deviation(case: &Case, until: f64) -> Result<f64> {
-    let setting = Setting::of(&case.motion);
+    let setting = case.setting();
     let mut course = lens::Course::new(article_scheme(), &setting)?;
     Ok(lens::errors(&case.motion, &mut course, until)?.largest)
 }
 
 /// The observed order of that scheme; none where it shows none.
 pub fn scheme_order(case: &Case) -> Option<f64> {
-    lens::ladder(&case.motion, article_scheme(), &Setting::of(&case.motion), case.duration).order()
+    lens::ladder(&case.motion, article_scheme(), &case.setting(), case.duration).order()
 }
 
 /// The article's scheme among the numeric methods.
@@ -112,10 +112,24 @@ pub fn order(first: f64, error: impl Fn(f64) -> f64) -> f64 {
     lens::order(&rungs).unwrap_or(f64::NAN)
 }
 
-/// Largest of |residual(x_{i−1}, x_i, x_{i+1})| over the first thousand steps of the scheme; NaN if it diverges.
-pub fn residual(scheme: &article::Scheme, residual: impl Fn(f64, f64, f64) -> f64) -> f64 {
-    let Ok(positions) = scheme.run(1000) else { return f64::NAN };
-    largest_of(positions.windows(3).map(|three| residual(three[0], three[1], three[2])))
+/// What is beyond so many amplitudes has run away.
+pub const RUNAWAY: f64 = 1e3;
+
+/// What a scheme leaves of its equation over its first thousand steps, and the largest of the terms that cancel in it:
+/// `terms` gives them for three positions in order. None if the scheme runs away.
+pub fn residual<const N: usize>(
+    case: &Case,
+    scheme: &article::Scheme,
+    terms: impl Fn(f64, f64, f64) -> [f64; N],
+) -> Option<(f64, f64)> {
+    let positions = scheme.run(1000).ok()?;
+    let away = RUNAWAY * case.motion.amplitude();
+    if positions.iter().any(|position| position.abs() > away) {
+        return None;
+    }
+    let all = || positions.windows(3).map(|three| terms(three[0], three[1], three[2]));
+    let left = largest_of(all().map(|terms| terms.iter().sum()));
+    Some((left, largest_of(all().flatten())))
 }
 
 /// The states of the motion while it moves, at even times until it rests or the record ends, with the force of

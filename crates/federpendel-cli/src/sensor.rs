@@ -1,0 +1,85 @@
+//! A sensor with noise, so that a simulated motion can stand for a recording.
+
+use federpendel::Sample;
+use federpendel::parameter::{ParameterInfo, Range};
+use federpendel_text::Catalogue;
+use rand_distr::{Distribution, Normal};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::SeedableRng;
+
+use crate::failure::Failure;
+use crate::quantity::{Dimension, parse};
+use crate::words::flag_value;
+
+/// Standard deviation of the noise; its unit is that of what is recorded.
+const NOISE: ParameterInfo = ParameterInfo {
+    name: "noise",
+    symbol: "σ",
+    unit: "m",
+    range: Range::NonNegative,
+    default: None,
+};
+
+/// What a sensor records.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Recorded {
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+/// A sensor: what it records, and how noisily.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sensor {
+    recorded: Recorded,
+    /// Standard deviation of its noise, in the SI unit of what it records.
+    deviation: f64,
+    seed: u64,
+}
+
+impl Sensor {
+    /// The sensor with noise as `written`, whose unit says what it records: “1 mm” positions, “1 mm/s” velocities. A bare
+    /// number is metres.
+    ///
+    /// # Errors
+    /// What is wrong with it, as for a length.
+    pub(crate) fn named(written: &str, seed: u64, catalogue: &Catalogue) -> Result<Self, Failure> {
+        let kinds = [
+            (Recorded::Position, Dimension::Length),
+            (Recorded::Velocity, Dimension::Velocity),
+            (Recorded::Acceleration, Dimension::Acceleration),
+        ];
+        let fits = |(_, dimension): &&(Recorded, Dimension)| parse(written, *dimension).is_ok();
+        let (recorded, dimension) = kinds.iter().find(fits).copied().unwrap_or(kinds[0]);
+        let deviation =
+            flag_value(catalogue, &NOISE, dimension, written).map_err(Failure::Input)?;
+        Ok(Sensor { recorded, deviation, seed })
+    }
+
+    /// The header of its column.
+    pub(crate) fn column(&self) -> &'static str {
+        match self.recorded {
+            Recorded::Position => "Position (m)",
+            Recorded::Velocity => "Velocity (m/s)",
+            Recorded::Acceleration => "Acceleration (m/s^2)",
+        }
+    }
+
+    /// What it records of these samples: times (s) and values with independent normal noise. The same seed gives the
+    /// same noise on every machine.
+    pub(crate) fn record(&self, samples: &[Sample]) -> impl Iterator<Item = [f64; 2]> {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(self.seed);
+        let (recorded, deviation) = (self.recorded, self.deviation);
+        // The standard deviation is finite and not negative, so it is one.
+        let normal = Normal::new(0.0, deviation).ok();
+        samples.iter().map(move |sample| {
+            let value = match recorded {
+                Recorded::Position => sample.position,
+                Recorded::Velocity => sample.velocity,
+                Recorded::Acceleration => sample.acceleration,
+            };
+            let noise = normal.map_or(0.0, |normal| normal.sample(&mut random));
+            [sample.time, value + noise]
+        })
+    }
+}
