@@ -1,0 +1,314 @@
+//! Which columns are read: for each run a time and a value.
+
+use super::error::{Field, ReadError};
+use super::heading::Heading;
+use super::layout::Layout;
+use super::meaning::{Fit, squeezed};
+use super::rate;
+use super::size::Size;
+use super::unit::{self, TIMES, Unit};
+use super::{Choice, ColumnName};
+use crate::Quantity;
+
+/// Where times come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Times {
+    /// A column and its unit.
+    Column(usize, Unit),
+    /// Even times, 1/s.
+    Rate(f64),
+}
+
+/// The columns of one run.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Run {
+    pub name: Option<String>,
+    pub times: Times,
+    /// The time has no header: it is the first column, which rises.
+    pub time_guessed: bool,
+    /// The header gives the time no unit: seconds.
+    pub time_unit_assumed: bool,
+    pub value: usize,
+    pub unit: Option<Unit>,
+    pub quantity: Quantity,
+    /// Neither unit nor name say what is recorded: a position.
+    pub quantity_assumed: bool,
+    pub others: Vec<usize>,
+}
+
+/// Chooses columns. `sizes` holds what a sample says of each column.
+pub(super) fn runs(
+    layout: &Layout,
+    sizes: &[Size],
+    choice: &Choice,
+) -> Result<Vec<Run>, ReadError> {
+    let table = Table { headings: &layout.headings, sizes, layout, choice };
+    let times = table.times()?;
+    let groups = table.groups(&times);
+    let wanted = table.wanted(groups)?;
+    wanted.into_iter().map(|group| table.run(group, &times)).collect()
+}
+
+struct Table<'a> {
+    headings: &'a [Heading],
+    sizes: &'a [Size],
+    layout: &'a Layout,
+    choice: &'a Choice,
+}
+
+/// Columns that belong together.
+struct Group {
+    name: Option<String>,
+    time: Option<usize>,
+    members: Vec<usize>,
+}
+
+/// Columns of times, or none and a rate.
+struct TimeColumns {
+    columns: Vec<usize>,
+    guessed: bool,
+    rate: Option<f64>,
+}
+
+impl Table<'_> {
+    fn labels(&self) -> Vec<String> {
+        self.headings.iter().map(|heading| heading.label.clone()).collect()
+    }
+
+    /// The columns that a name fits best; at least one.
+    fn named(&self, field: Field, asked: &str) -> Result<Vec<usize>, ReadError> {
+        let fits: Vec<Fit> =
+            self.headings.iter().enumerate().map(|(at, h)| h.fits(asked, at)).collect();
+        let best = fits.iter().min().copied().unwrap_or(Fit::No);
+        if best == Fit::No {
+            let (asked, columns) = (asked.to_owned(), self.labels());
+            return Err(ReadError::ColumnNotFound { field, asked, columns });
+        }
+        Ok((0..fits.len()).filter(|at| fits[*at] == best).collect())
+    }
+
+    fn times(&self) -> Result<TimeColumns, ReadError> {
+        let found = |columns| Ok(TimeColumns { columns, guessed: false, rate: None });
+        if let Some(asked) = &self.choice.time {
+            return found(self.named(Field::Time, asked)?);
+        }
+        if let Some(value) = self.choice.rate {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(ReadError::Rate { value });
+            }
+            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(value) });
+        }
+        let named = self.named_times();
+        if !named.is_empty() {
+            return found(named);
+        }
+        let rate = rate::of(&self.layout.preamble);
+        if let Some(rate) = rate {
+            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(rate) });
+        }
+        let first = self.headings.len() > 1 && self.sizes[0].rises() && !self.is_count(0);
+        if first {
+            return Ok(TimeColumns { columns: vec![0], guessed: true, rate: None });
+        }
+        Err(ReadError::NoTime { columns: self.labels() })
+    }
+
+    /// Columns that the header calls times, by name rather than by unit; if need be one of words, so that the first of
+    /// them is refused with its line.
+    fn named_times(&self) -> Vec<usize> {
+        let header = self.layout.header;
+        let all = |fits: &dyn Fn(usize) -> bool| -> Vec<usize> {
+            (0..self.headings.len()).filter(|at| header && fits(*at)).collect()
+        };
+        let numeric = |at: usize| self.sizes[at].is_numeric();
+        let by_name = |at: usize| self.headings[at].is_named_time();
+        let by_unit = |at: usize| self.headings[at].is_time();
+        let ways: [&dyn Fn(usize) -> bool; 3] =
+            [&|at| by_name(at) && numeric(at), &|at| by_unit(at) && numeric(at), &by_name];
+        ways.into_iter().map(all).find(|columns| !columns.is_empty()).unwrap_or_default()
+    }
+
+    fn is_count(&self, at: usize) -> bool {
+        self.layout.header && self.headings[at].is_count()
+    }
+
+    /// Groups columns by run; where no runs are named, each column of times begins a group.
+    fn groups(&self, times: &TimeColumns) -> Vec<Group> {
+        let mut groups: Vec<Group> = Vec::new();
+        let by_run = self.headings.iter().any(|heading| heading.run.is_some());
+        for (at, heading) in self.headings.iter().enumerate() {
+            let is_time = times.columns.contains(&at);
+            let place = match groups.len().checked_sub(1) {
+                _ if by_run => groups.iter().position(|group| group.name == heading.run),
+                last => last.filter(|last| !is_time || groups[*last].time.is_none()),
+            };
+            let place = place.unwrap_or_else(|| {
+                let name = heading.run.clone();
+                groups.push(Group { name, time: None, members: Vec::new() });
+                groups.len() - 1
+            });
+            let group = &mut groups[place];
+            match group.time {
+                None if is_time => group.time = Some(at),
+                _ => group.members.push(at),
+            }
+        }
+        let shared = times.columns.first().copied();
+        for group in &mut groups {
+            group.time = group.time.or(shared);
+        }
+        let several = groups.len() > 1;
+        let is_value = |at: &usize| !several || self.sizes[*at].is_numeric();
+        groups.retain(|group| group.members.iter().any(is_value));
+        if !by_run && groups.len() > 1 {
+            for (at, group) in groups.iter_mut().enumerate() {
+                group.name = Some((at + 1).to_string());
+            }
+        }
+        groups
+    }
+
+    /// The run that is asked for, by its name or number, else all that hold what is asked for.
+    fn wanted(&self, mut groups: Vec<Group>) -> Result<Vec<Group>, ReadError> {
+        if groups.is_empty() {
+            return Err(ReadError::NoValue { columns: self.labels() });
+        }
+        if let Some(asked) = &self.choice.run {
+            let number =
+                |name: &str| -> String { name.chars().filter(char::is_ascii_digit).collect() };
+            let fits = |exact: bool, group: &Group| {
+                group.name.as_ref().is_some_and(|name| {
+                    if exact {
+                        squeezed(name) == squeezed(asked)
+                    } else {
+                        number(name) == asked.trim()
+                    }
+                })
+            };
+            let at = groups
+                .iter()
+                .position(|group| fits(true, group))
+                .or_else(|| groups.iter().position(|group| fits(false, group)));
+            let Some(at) = at else {
+                let runs = groups.into_iter().filter_map(|group| group.name).collect();
+                return Err(ReadError::RunNotFound { asked: asked.clone(), runs });
+            };
+            groups = vec![groups.swap_remove(at)];
+        }
+        if let Some(asked) = &self.choice.value {
+            let named = self.named(Field::Value, asked)?;
+            for group in &mut groups {
+                let (members, others): (Vec<usize>, Vec<usize>) =
+                    group.members.iter().partition(|at| named.contains(at));
+                if members.len() > 1 {
+                    let columns =
+                        members.iter().map(|at| self.headings[*at].label.clone()).collect();
+                    let (field, asked) = (Field::Value, asked.clone());
+                    return Err(ReadError::ColumnAmbiguous { field, asked, columns });
+                }
+                group.members =
+                    if members.is_empty() { Vec::new() } else { [members, others].concat() };
+            }
+            groups.retain(|group| !group.members.is_empty());
+            if groups.is_empty() {
+                let (field, asked, columns) = (Field::Value, asked.clone(), self.labels());
+                return Err(ReadError::ColumnNotFound { field, asked, columns });
+            }
+        }
+        Ok(groups)
+    }
+
+    fn run(&self, group: Group, times: &TimeColumns) -> Result<Run, ReadError> {
+        let (value, others) = self.value(&group)?;
+        let heading = &self.headings[value];
+        let unit = heading.known_unit().filter(|unit| unit.quantity.is_some());
+        let known = heading.quantity();
+        if let (Some(asked), Some(unit)) = (self.choice.quantity, unit)
+            && unit.quantity != Some(asked)
+        {
+            let (column, unit) = (heading.label.clone(), heading.unit.clone());
+            return Err(ReadError::QuantityUnit { column, unit, asked });
+        }
+        let (times_from, time_unit_assumed) = match (times.rate, group.time) {
+            (None, Some(at)) => self.time_unit(at)?,
+            (rate, _) => (Times::Rate(rate.unwrap_or(1.0)), false),
+        };
+        Ok(Run {
+            name: group.name,
+            times: times_from,
+            time_guessed: times.guessed,
+            time_unit_assumed,
+            value,
+            unit,
+            quantity: self.choice.quantity.or(known).unwrap_or(Quantity::Position),
+            quantity_assumed: self.choice.quantity.or(known).is_none(),
+            others,
+        })
+    }
+
+    fn time_unit(&self, at: usize) -> Result<(Times, bool), ReadError> {
+        let heading = &self.headings[at];
+        let named = unit::parse(&heading.unit).or_else(|| {
+            // "Seconds", "millis".
+            heading.unit.is_empty().then(|| unit::parse(&heading.name)).flatten()
+        });
+        let named = named.filter(|unit| unit.quantity.is_none());
+        match named {
+            Some(unit) => Ok((Times::Column(at, unit), false)),
+            None if heading.unit.is_empty() => {
+                let second = Unit { quantity: None, si: "s", numerator: 1.0, denominator: 1.0 };
+                Ok((Times::Column(at, second), true))
+            }
+            None => Err(ReadError::TimeUnit {
+                column: heading.label.clone(),
+                unit: heading.unit.clone(),
+                allowed: TIMES,
+            }),
+        }
+    }
+
+    /// The column of values, and the others that could be it. Without a name: of the columns that hold the same as the
+    /// first of them, the one with the largest oscillating part; never a magnitude.
+    fn value(&self, group: &Group) -> Result<(usize, Vec<usize>), ReadError> {
+        let measures = |at: &usize| {
+            let heading = &self.headings[*at];
+            Some(*at) != group.time
+                && self.sizes[*at].is_numeric()
+                && !(self.is_count(*at) || heading.is_magnitude() || heading.is_time())
+        };
+        if self.choice.value.is_some()
+            && let [value, others @ ..] = group.members.as_slice()
+        {
+            return Ok((*value, others.iter().copied().filter(measures).collect()));
+        }
+        let all: Vec<usize> = group.members.iter().copied().filter(measures).collect();
+        let asked = |at: &&usize| {
+            self.choice.quantity.is_none_or(|asked| self.headings[**at].quantity() == Some(asked))
+        };
+        let Some(first) = all.iter().find(asked).or(all.first()) else {
+            return Err(ReadError::NoValue { columns: self.labels() });
+        };
+        let kind = |at: usize| {
+            let heading = &self.headings[at];
+            let unit = heading.known_unit().map_or(heading.unit.as_str(), |unit| unit.si);
+            (heading.quantity(), unit.to_owned())
+        };
+        let size = |at: usize| {
+            let factor = self.headings[at].known_unit().map_or(1.0, |unit| unit.to_si(1.0));
+            self.sizes[at].oscillation() * factor
+        };
+        let mut best = *first;
+        for at in all.iter().copied().filter(|at| kind(*at) == kind(*first)) {
+            if size(at) > size(best) {
+                best = at;
+            }
+        }
+        Ok((best, all.into_iter().filter(|at| *at != best).collect()))
+    }
+}
+
+/// What the public interface says of a column.
+pub(super) fn name(layout: &Layout, at: usize) -> ColumnName {
+    let Heading { label, name, unit, .. } = layout.headings[at].clone();
+    ColumnName { label, name, unit, number: at + 1 }
+}

@@ -1,0 +1,183 @@
+//! How a table is laid out, told from its first lines: separator, decimal sign, header, where the numbers begin.
+
+use memchr::memchr2_iter;
+
+use super::MOST_COLUMNS;
+use super::error::{Found, ReadError};
+use super::header::{Width, header_cells, headings, trimmed_width};
+use super::heading::Heading;
+use super::line::{Cells, Line, Lines, Separator, decode, excerpt, line_end};
+use super::number::{self, Cell, Decimal};
+
+/// Lines looked at, and bytes of them.
+const SAMPLE: (usize, usize) = (500, 1 << 20);
+
+/// The layout of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Layout {
+    pub separator: Separator,
+    pub decimal: Decimal,
+    /// Byte that ends lines.
+    pub end: u8,
+    /// Headings, as many as there are columns.
+    pub headings: Vec<Heading>,
+    /// Whether the file has a header.
+    pub header: bool,
+    /// Lines above the rows, the header among them.
+    pub preamble: Vec<String>,
+    /// First byte of the first row.
+    pub start: usize,
+    /// Line of the first row.
+    pub line: usize,
+}
+
+/// How lines of a sample look when cells are split in one way.
+struct Look {
+    separator: Separator,
+    decimal: Decimal,
+    /// For each line: its cells, and whether at least half of those that hold something are numbers.
+    lines: Vec<(usize, bool)>,
+    /// Twice the cells that are numbers, less those that are text, from the first row.
+    score: isize,
+}
+
+impl Look {
+    fn new(sample: &[Line], separator: Separator, decimal: Decimal) -> Self {
+        let mut look = Look { separator, decimal, lines: Vec::new(), score: 0 };
+        let mut any = false;
+        for line in sample {
+            let (mut cells, mut numbers, mut texts) = (0, 0, 0);
+            for cell in Cells::new(line.text, separator) {
+                cells += 1;
+                match number::read(cell, decimal) {
+                    Cell::Number(_) => numbers += 1,
+                    Cell::Text => texts += 1,
+                    Cell::Missing => {}
+                }
+            }
+            let row = numbers > 0 && numbers >= texts;
+            any |= row;
+            if any {
+                look.score += 2 * numbers - texts;
+            }
+            look.lines.push((cells, row));
+        }
+        look
+    }
+
+    /// Width of most rows.
+    fn width(&self, sample: &[Line]) -> Width {
+        let most = self.most_cells();
+        let rows = self.lines.iter().zip(sample).filter(|(look, _)| **look == (most, true));
+        let filled = rows.map(|(_, line)| trimmed_width(line, self.separator)).max();
+        Width { most, least: filled.unwrap_or(most) }
+    }
+
+    /// Cells of most rows.
+    fn most_cells(&self) -> usize {
+        let mut widths: Vec<usize> =
+            self.lines.iter().filter(|(_, row)| *row).map(|(cells, _)| *cells).collect();
+        widths.sort_unstable();
+        let groups = widths.chunk_by(|a, b| a == b);
+        groups.max_by_key(|group| group.len()).map_or(0, |group| group[0])
+    }
+
+    /// The first row: a broken row directly below a header of the right width is one, too.
+    fn first(&self, sample: &[Line]) -> Option<usize> {
+        let width = self.width(sample);
+        let first = self.lines.iter().position(|line| *line == (width.most, true))?;
+        let above = self.lines[..first].iter().rposition(|(_, row)| !row);
+        let below = above.map_or(0, |at| at + 1);
+        let broken = below < first
+            && above.is_none_or(|at| header_cells(&sample[at], self.separator, width).is_some());
+        Some(if broken { below } else { first })
+    }
+}
+
+impl Layout {
+    /// Looks at the first lines of a table.
+    pub fn of(text: &[u8]) -> Result<Self, ReadError> {
+        let begin = &text[..text.len().min(SAMPLE.1)];
+        let end = line_end(begin);
+        let filled = |line: &Line| !line.is_blank();
+        let all: Vec<Line> = Lines::new(text, end, 0, 1)
+            .take_while(|line| line.start < SAMPLE.1)
+            .filter(filled)
+            .take(SAMPLE.0)
+            .collect();
+        let Some(top) = all.first() else { return Err(ReadError::Empty) };
+        let sample: Vec<Line> = all.iter().filter(|line| !line.is_comment()).copied().collect();
+        let look = best_look(&sample);
+        let Some(first) = look.first(&sample) else { return Err(without_rows(top, &sample)) };
+        let row = sample[first];
+        let above: Vec<Line> =
+            all.iter().take_while(|line| line.number < row.number).copied().collect();
+        let width = look.width(&sample);
+        if width.most > MOST_COLUMNS {
+            return Err(ReadError::TooManyColumns { found: width.most, most: MOST_COLUMNS });
+        }
+        let named = headings(&above, look.separator, width)?;
+        let header = named.is_some();
+        let headings = named.unwrap_or_else(|| (0..width.least).map(Heading::numbered).collect());
+        let mut layout = Layout {
+            separator: look.separator,
+            decimal: look.decimal,
+            end,
+            headings,
+            header,
+            preamble: above.iter().map(|line| decode(line.text)).collect(),
+            start: row.start,
+            line: row.number,
+        };
+        layout.settle_decimal(text);
+        Ok(layout)
+    }
+
+    /// Where the first lines hold integers only, the first decimal sign below them decides.
+    fn settle_decimal(&mut self, text: &[u8]) {
+        if matches!(self.separator, Separator::Comma) || self.decimal == Decimal::Comma {
+            return;
+        }
+        let rows = &text[self.start..];
+        // Within a number: a digit before it and behind it.
+        let within = |at: &usize| {
+            let digit =
+                |at: Option<usize>| at.and_then(|at| rows.get(at)).is_some_and(u8::is_ascii_digit);
+            digit(at.checked_sub(1)) && digit(at.checked_add(1))
+        };
+        if let Some(at) = memchr2_iter(b'.', b',', rows).find(within)
+            && rows[at] == b','
+        {
+            self.decimal = Decimal::Comma;
+        }
+    }
+}
+
+fn best_look(sample: &[Line]) -> Look {
+    let mut best = Look::new(sample, Separator::Tab, Decimal::Point);
+    for separator in Separator::ALL {
+        for decimal in [Decimal::Point, Decimal::Comma] {
+            let look = Look::new(sample, separator, decimal);
+            if look.score > best.score {
+                best = look;
+            }
+        }
+    }
+    best
+}
+
+/// Text without rows of numbers: a header alone, or prose.
+fn without_rows(top: &Line, sample: &[Line]) -> ReadError {
+    for line in sample {
+        for separator in Separator::ALL {
+            let cells: Vec<String> = Cells::new(line.text, separator).map(decode).collect();
+            if cells.len() > 1
+                && cells.iter().any(|cell| Heading::parse(cell).is_time())
+                && sample.len() == 1
+            {
+                return ReadError::NoRows { line: line.number, header: excerpt(line.text) };
+            }
+        }
+    }
+    ReadError::NoTable { found: Found::Prose, line: top.number, text: excerpt(top.text) }
+}

@@ -1,0 +1,170 @@
+//! The rows of a table: numbers of the columns that are kept, and of no others.
+
+use memchr::memchr_iter;
+
+use super::column::{Run, Times};
+use super::error::ReadError;
+use super::layout::Layout;
+use super::line::{Cells, Line, Lines, excerpt};
+use super::number::{self, Cell};
+use super::unit::Unit;
+use super::{LARGEST_NUMBER, Rows};
+
+/// The rows of a run, as they stand in the file.
+#[derive(Debug)]
+pub(super) struct Kept {
+    pub run: Run,
+    /// s.
+    pub times: Vec<f64>,
+    pub values: Vec<f64>,
+    pub lines: LineNumbers,
+    /// Rows that lack the time or the value, before the last that has both.
+    pub missing: Option<Rows>,
+    /// The last line, if it ends before its cells do.
+    pub cut_off: Option<usize>,
+    /// Rows met, for times at a rate.
+    rows: usize,
+    /// Rows that lack something, since the last that does not.
+    pending: Option<Rows>,
+}
+
+/// The lines of rows: only where they do not follow each other is anything kept.
+#[derive(Debug, Default)]
+pub(super) struct LineNumbers {
+    /// A row and its line, where the line before belongs to no row.
+    breaks: Vec<(usize, usize)>,
+}
+
+impl LineNumbers {
+    fn push(&mut self, row: usize, line: usize) {
+        let follows = self.breaks.last().is_some_and(|(r, l)| row - r == line - l);
+        if !follows {
+            self.breaks.push((row, line));
+        }
+    }
+
+    /// The line of a row.
+    pub fn of(&self, row: usize) -> usize {
+        let at = self.breaks.partition_point(|(first, _)| *first <= row);
+        at.checked_sub(1).map_or(0, |at| self.breaks[at].1 + row - self.breaks[at].0)
+    }
+}
+
+/// Reads all rows.
+pub(super) fn read(text: &[u8], layout: &Layout, runs: Vec<Run>) -> Result<Vec<Kept>, ReadError> {
+    // Room for as many rows as there can be: a value takes two bytes at least.
+    let lines = memchr_iter(layout.end, &text[layout.start..]).count() + 1;
+    let most = lines.min((text.len() - layout.start) / (2 * runs.len()) + 1);
+    let mut kept: Vec<Kept> = runs.into_iter().map(|run| Kept::new(run, most)).collect();
+    let reader = Reader { layout, several: kept.len() > 1 };
+    let mut cells = Vec::with_capacity(layout.headings.len() + 1);
+    for line in Lines::new(text, layout.end, layout.start, layout.line) {
+        cells.clear();
+        cells.extend(Cells::new(line.text, layout.separator));
+        match reader.fit(&line, &mut cells)? {
+            Row::None => continue,
+            Row::CutOff => kept.iter_mut().for_each(|kept| kept.cut_off = Some(line.number)),
+            Row::Whole => {
+                for kept in &mut kept {
+                    kept.take(&reader, line.number, &cells)?;
+                }
+            }
+        }
+    }
+    Ok(kept)
+}
+
+struct Reader<'a> {
+    layout: &'a Layout,
+    several: bool,
+}
+
+enum Row {
+    /// A comment, or blank.
+    None,
+    /// Too few cells, and the file ends there.
+    CutOff,
+    Whole,
+}
+
+impl Reader<'_> {
+    /// Holds the cells of a line against the columns. Empty cells may follow; of runs side by side the shorter may end.
+    #[inline]
+    fn fit(&self, line: &Line, cells: &mut Vec<&[u8]>) -> Result<Row, ReadError> {
+        let width = self.layout.headings.len();
+        let begins_like_comment =
+            matches!(line.text.trim_ascii_start(), [b'#' | b'%' | b'/', ..] | []);
+        if cells.len() == width && !begins_like_comment {
+            return Ok(Row::Whole);
+        }
+        if line.is_blank() || line.is_comment() {
+            return Ok(Row::None);
+        }
+        let found = cells.len();
+        if found > width && cells[width..].iter().all(|cell| cell.is_empty()) {
+            cells.truncate(width);
+        } else if found < width && !line.ended {
+            return Ok(Row::CutOff);
+        } else if found < width && self.several {
+            cells.resize(width, b"");
+        } else if found != width {
+            return Err(ReadError::Cells { line: line.number, found, expected: width });
+        }
+        Ok(Row::Whole)
+    }
+
+    #[inline]
+    fn number(&self, line: usize, cells: &[&[u8]], at: usize) -> Result<Option<f64>, ReadError> {
+        let cell = cells.get(at).copied().unwrap_or_default();
+        match number::read(cell, self.layout.decimal) {
+            Cell::Number(number) if number.abs() <= LARGEST_NUMBER => Ok(Some(number)),
+            Cell::Missing => Ok(None),
+            other => Err(self.refuse(line, cell, at, other)),
+        }
+    }
+
+    #[cold]
+    fn refuse(&self, line: usize, cell: &[u8], at: usize, read: Cell) -> ReadError {
+        let (column, value) = (self.layout.headings[at].label.clone(), excerpt(cell));
+        match read {
+            Cell::Number(_) => ReadError::OutOfRange { line, column, value, most: LARGEST_NUMBER },
+            _ => ReadError::NoNumber { line, column, value },
+        }
+    }
+}
+
+impl Kept {
+    fn new(run: Run, most: usize) -> Self {
+        Kept {
+            run,
+            times: Vec::with_capacity(most),
+            values: Vec::with_capacity(most),
+            lines: LineNumbers::default(),
+            missing: None,
+            cut_off: None,
+            rows: 0,
+            pending: None,
+        }
+    }
+
+    #[inline]
+    fn take(&mut self, reader: &Reader, line: usize, cells: &[&[u8]]) -> Result<(), ReadError> {
+        let time = match self.run.times {
+            Times::Column(at, unit) => reader.number(line, cells, at)?.map(|time| unit.to_si(time)),
+            Times::Rate(rate) => Some(self.rows as f64 / rate),
+        };
+        self.rows += 1;
+        let value = reader.number(line, cells, self.run.value)?;
+        let (Some(time), Some(value)) = (time, value) else {
+            Rows::count(&mut self.pending, line, 1);
+            return Ok(());
+        };
+        if let Some(pending) = self.pending.take() {
+            Rows::count(&mut self.missing, pending.first_line, pending.count);
+        }
+        self.lines.push(self.times.len(), line);
+        self.times.push(time);
+        self.values.push(self.run.unit.map_or(value, |unit: Unit| unit.to_si(value)));
+        Ok(())
+    }
+}

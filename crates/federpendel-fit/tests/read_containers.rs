@@ -1,0 +1,112 @@
+//! Archives and workbooks.
+
+use std::io::{Cursor, Write};
+
+use federpendel_fit::Quantity;
+use federpendel_fit::read::{Choice, Container, Read, ReadError, recordings};
+use rust_xlsxwriter::Workbook;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+const TABLE: &str = "\"Time (s)\";\"Winkel (rad)\"\n0;0,5\n1;-0,5\n2;0,25\n3;-0,25\n";
+
+fn archive(files: &[(&str, &str)]) -> Vec<u8> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, text) in files {
+        archive.start_file(*name, SimpleFileOptions::default()).unwrap();
+        archive.write_all(text.as_bytes()).unwrap();
+    }
+    archive.finish().unwrap().into_inner()
+}
+
+fn table(name: &str) -> Choice {
+    Choice { table: Some(name.to_owned()), ..Choice::default() }
+}
+
+fn one(bytes: &[u8], choice: &Choice) -> Result<Read, ReadError> {
+    recordings(bytes, choice).map(|mut all| all.remove(0))
+}
+
+#[test]
+fn an_archive_of_phyphox() {
+    let notes = ("meta/device.csv", "\"property\",\"value\"\n\"version\",\"1\"\n");
+    let bytes = archive(&[("Raw Data.csv", TABLE), notes, ("meta/time.csv", "a,b\n1,2\n")]);
+    let read = one(&bytes, &Choice::default()).unwrap();
+    assert_eq!(read.recording.values, [0.5, -0.5, 0.25, -0.25]);
+    assert_eq!(read.dialect.container, Container::Zip);
+    assert_eq!(read.dialect.table.as_deref(), Some("Raw Data.csv"));
+    assert!(recordings(&bytes[..bytes.len() / 2], &Choice::default()).is_err());
+}
+
+#[test]
+fn an_archive_of_several_tables() {
+    let other = TABLE.replace("0,5", "7");
+    let bytes = archive(&[("a/Accelerometer.csv", TABLE), ("a/Gyroscope.csv", &other)]);
+    let tables = vec!["a/Accelerometer.csv".to_owned(), "a/Gyroscope.csv".to_owned()];
+    let several = one(&bytes, &Choice::default());
+    assert_eq!(several, Err(ReadError::SeveralTables { tables: tables.clone() }));
+    assert_eq!(one(&bytes, &table("gyroscope")).unwrap().recording.values[0], 7.0);
+    let asked = Some("nothing".to_owned());
+    assert_eq!(one(&bytes, &table("nothing")), Err(ReadError::TableNotFound { asked, tables }));
+    let none = one(&archive(&[("a.png", "")]), &Choice::default());
+    assert!(matches!(none, Err(ReadError::TableNotFound { .. })), "{none:?}");
+}
+
+fn workbook() -> Vec<u8> {
+    let mut book = Workbook::new();
+    let sheet = book.add_worksheet().set_name("Raw Data").unwrap();
+    // A line above, an empty column beside.
+    sheet.write(0, 1, "measured\ton \"Monday\"").unwrap();
+    for (column, name) in
+        ["Time (ms)", "Position (cm)", "Absolute position (cm)"].iter().enumerate()
+    {
+        sheet.write(2, column as u16 + 1, *name).unwrap();
+    }
+    for (row, value) in [0.1, -0.2, 1e-300, 1.0 / 3.0, 12345.678].iter().enumerate() {
+        sheet.write(row as u32 + 3, 1, row as f64).unwrap();
+        sheet.write(row as u32 + 3, 2, *value).unwrap();
+        sheet.write(row as u32 + 3, 3, f64::abs(*value)).unwrap();
+    }
+    let sheet = book.add_worksheet().set_name("Metadata Device").unwrap();
+    sheet.write(0, 0, "property").unwrap();
+    book.save_to_buffer().unwrap()
+}
+
+#[test]
+fn a_workbook_of_today() {
+    let read = one(&workbook(), &Choice::default()).unwrap();
+    let expected = [0.1, -0.2, 1e-300, 1.0 / 3.0, 12345.678].map(|value| value * 1.0 / 100.0);
+    assert_eq!(read.recording.values, expected);
+    assert_eq!(read.recording.times, [0.0, 1.0, 2.0, 3.0, 4.0].map(|time| time / 1000.0));
+    assert_eq!(read.dialect.container, Container::Xlsx);
+    assert_eq!((read.recording.quantity, read.value.number), (Quantity::Position, 3));
+}
+
+#[test]
+fn errors_in_a_workbook_name_its_rows() {
+    let mut book = Workbook::new();
+    let sheet = book.add_worksheet();
+    for (column, name) in ["t (s)", "x (m)"].iter().enumerate() {
+        sheet.write(3, column as u16, *name).unwrap();
+    }
+    for row in 0..6_u32 {
+        sheet.write(row + 4, 0, row).unwrap();
+        sheet.write(row + 4, 1, f64::from(row % 2)).unwrap();
+    }
+    sheet.write(7, 1, "lost").unwrap();
+    let read = one(&book.save_to_buffer().unwrap(), &Choice::default());
+    let (column, value) = ("x (m)".to_owned(), "lost".to_owned());
+    assert_eq!(read, Err(ReadError::NoNumber { line: 8, column, value }));
+}
+
+/// Written by xlwt 1.3: times 0, 0.25, …, of two components the second oscillates more.
+#[test]
+fn a_workbook_before_2007() {
+    let bytes = include_bytes!("data/raw-data.xls");
+    let read = one(bytes, &Choice::default()).unwrap();
+    assert_eq!(read.dialect.container, Container::Xls);
+    assert_eq!(read.value.label, "Linear Acceleration y (m/s^2)");
+    assert_eq!(read.recording.times, [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75]);
+    assert_eq!(read.recording.values[..4], [0.5, -0.25, 0.125, -0.0625]);
+    assert!(one(&bytes[..3000], &Choice::default()).is_err());
+}
