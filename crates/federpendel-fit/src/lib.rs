@@ -3,5 +3,5 @@
 pub mod model;
 pub mod recording;
 
-pub use model::{Parameters, Stop};
+pub use model::{Course, Jacobian, ModelError, Parameters, Stop};
 pub use recording::{Quantity, Recording};
