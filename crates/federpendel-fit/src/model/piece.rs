@@ -1,0 +1,93 @@
+//! The recorded quantity and its derivatives on one piece of a swing, as polynomials.
+
+use super::series::{DEGREE, Series};
+use super::start::{Frame, Reduced, Start};
+use crate::recording::Quantity;
+
+/// Polynomials in the time from the centre of a series: first the quantity, then, if `K` is more than one, its
+/// derivatives with respect to the parameters.
+pub(super) struct Piece<const K: usize> {
+    rows: [[f64; K]; DEGREE],
+    used: usize,
+}
+
+/// Part of the quantity that the terms left out may make up.
+const NEGLIGIBLE: f64 = 1e-13;
+
+/// How often the position is differentiated.
+fn derivative_order(quantity: Quantity) -> usize {
+    match quantity {
+        Quantity::Position => 0,
+        Quantity::Velocity => 1,
+        Quantity::Acceleration => 2,
+    }
+}
+
+/// The coefficient of degree `n` of the derivative of order `order`, over that of degree `n` + `order`.
+#[inline(always)]
+fn differentiated(n: usize, order: usize) -> f64 {
+    (n + 1..=n + order).map(|k| k as f64).product()
+}
+
+impl<const K: usize> Piece<K> {
+    /// The polynomials on `series`, which has its centre at `center` in the swing from `start`.
+    #[inline(always)]
+    pub fn new<const D: usize>(
+        quantity: Quantity,
+        reduced: &Reduced,
+        (start, frame): (&Start, &Frame),
+        center: f64,
+        series: &Series<D>,
+    ) -> Self {
+        let order = derivative_order(quantity);
+        let omega = reduced.omega;
+        let scale = frame.side * omega.powi(order as i32);
+        let used = DEGREE - order;
+        let mut rows = [[0.0; K]; DEGREE];
+        let mut earlier = 0.0;
+        for (n, row) in rows.iter_mut().enumerate().take(used) {
+            let factor = scale * differentiated(n, order);
+            let value = factor * series.y[n + order];
+            row[0] = value;
+            if K == 1 {
+                continue;
+            }
+            // The rate of change with τ, by which a change of ω0 or of the start of the swing acts too.
+            let rate = scale * differentiated(n, order + 1) * series.y[n + order + 1];
+            let gradient = frame.chain(&series.dy[n + order]);
+            for (k, entry) in row[1..].iter_mut().enumerate() {
+                *entry = factor * gradient[k] - rate * omega * start.time.gradient[k];
+            }
+            // τ = ω0 (t − start), and velocities are multiplied by ω0.
+            row[1] += (center * rate + earlier + order as f64 * value) / omega;
+            earlier = rate;
+        }
+        if order == 0 {
+            rows[0][0] += frame.side * reduced.offset.value;
+            for (k, entry) in rows[0][1..].iter_mut().enumerate() {
+                *entry += frame.side * reduced.offset.gradient[k];
+            }
+        }
+        Piece { rows, used }
+    }
+
+    /// As many coefficients of each as matter up to the distance `reach` from the centre.
+    pub fn rows(&self, reach: f64) -> &[[f64; K]] {
+        let (mut size, mut power) = (0.0_f64, 1.0);
+        let mut sizes = [0.0; DEGREE];
+        for (row, entry) in self.rows[..self.used].iter().zip(&mut sizes) {
+            *entry = row[0].abs() * power;
+            size = size.max(*entry);
+            power *= reach;
+        }
+        let (mut used, mut rest) = (self.used, 0.0);
+        while used > 1 {
+            rest += sizes[used - 1];
+            if rest > NEGLIGIBLE * size {
+                break;
+            }
+            used -= 1;
+        }
+        &self.rows[..used]
+    }
+}
