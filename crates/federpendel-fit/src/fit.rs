@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use federpendel::Mix;
 
-use crate::adequacy::{Adequacy, adequacy};
+use crate::adequacy::adequacy;
 use crate::bootstrap;
 use crate::covariance::{covariance, interval, student, variance};
 use crate::error::FitError;
@@ -20,7 +20,7 @@ use crate::reach::{Reach, reach};
 use crate::report::{FitReport, Model, Parameter};
 use crate::stop;
 use crate::window::{Edge, Found, Window, find};
-use crate::{Quantity, Recording};
+use crate::Recording;
 
 /// Fewest values that are fitted: more than there are parameters, with some to judge them by.
 const FEWEST: usize = 12;
@@ -163,8 +163,8 @@ impl Fits {
             self.problem.residuals(&best.minimum.at, best.minimum.ending).ok_or(none)?;
         let mut models: Vec<Model> = Vec::new();
         for fitted in self.fitted.clone() {
-            let intervals =
-                if fitted.mix == best.mix { options.intervals } else { Intervals::Covariance };
+            let chosen = fitted.mix == best.mix || options.every_mix;
+            let intervals = if chosen { options.intervals } else { Intervals::Covariance };
             models.push(self.model(&fitted, intervals, options.sigma));
         }
         models.sort_by(|a, b| a.criteria.aicc.total_cmp(&b.criteria.aicc));
@@ -315,6 +315,3 @@ fn robust(problem: &mut Problem, fitted: &[Fitted], loss: Loss) -> Vec<Fitted> {
     }
     fitted
 }
-
-#[allow(dead_code)]
-fn _unused(_: &Adequacy, _: Quantity) {}

@@ -5,7 +5,7 @@ use federpendel::Mix;
 use crate::extremes::Look;
 use crate::growing::grow;
 use crate::least_squares::{Effort, Minimum, minimise, solve};
-use crate::problem::{COULOMB, Ending, LAWS, OMEGA, Problem, Vector};
+use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
 use crate::{start, stop};
 
 /// A fitted mix.
@@ -187,10 +187,4 @@ fn without(minimum: &Minimum, free: &[bool; 7]) -> Option<Vector> {
         at = minimum.at + gone;
     }
     Some(at)
-}
-
-/// Whether a coefficient of the mix ended at zero.
-pub fn at_zero(fitted: &Fitted) -> bool {
-    LAWS.iter().any(|&i| free(fitted.mix)[i] && fitted.minimum.at[i] == 0.0)
-        || (fitted.mix.coulomb && fitted.minimum.at[COULOMB] == 0.0)
 }

@@ -32,6 +32,9 @@ pub struct Options {
     pub loss: Loss,
     /// How intervals are found.
     pub intervals: Intervals,
+    /// Whether they are found so for every mix; else the mixes beside the verdict's have those from their
+    /// standard errors.
+    pub every_mix: bool,
 }
 
 impl Default for Options {
@@ -43,6 +46,7 @@ impl Default for Options {
             sigma: None,
             loss: Loss::Squares,
             intervals: Intervals::Profile,
+            every_mix: false,
         }
     }
 }

@@ -28,8 +28,6 @@ pub const OMEGA: usize = 0;
 pub const LAWS: [usize; 3] = [1, 2, 3];
 /// Where a_c stands.
 pub const COULOMB: usize = 2;
-/// Where the state at the first time stands.
-pub const STATE: [usize; 2] = [4, 5];
 
 /// The parameters as the model takes them.
 pub fn parameters(p: &Vector) -> Parameters {
