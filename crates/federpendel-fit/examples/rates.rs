@@ -72,7 +72,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
         let good = at_truth(&known, &report);
         reached.count(good);
-        window.count(report.window.first >= known.release && starts_soon(&known, &report));
+        let soon = report.window.first >= known.release && starts_soon(&known, &report);
+        window.count(soon);
+        if !soon {
+            println!("{i}: window {}", describe(&known, &report));
+        }
         if !good {
             println!("{i}: {}", describe(&known, &report));
         }

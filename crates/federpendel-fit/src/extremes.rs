@@ -48,7 +48,11 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     for _ in 0..2 {
         let smooth = smoothed(times, values, REACH * half);
         let (noise, left) = noise(times, values, &smooth, REACH * half);
-        let pivots = turns(&smooth, (ABOVE_NOISE * left).max(2e-3 * range));
+        let mut pivots = turns(&smooth, (ABOVE_NOISE * left).max(2e-3 * range));
+        // Where a recording begins in the middle of a swing it does not turn.
+        if pivots.first().is_some_and(|&i| times[i] - times[0] < REACH * half) {
+            pivots.remove(0);
+        }
         half = spacing(times, &pivots[..pivots.len().min(wide.len().max(8))]).unwrap_or(half);
         found = Some((smooth, noise, left, pivots));
     }

@@ -1,7 +1,7 @@
 //! Which part of a recording is a free decay.
 
 use crate::Recording;
-use crate::extremes::{Extreme, Look, look};
+use crate::extremes::{Extreme, Look, look, median};
 
 /// Why a window begins or ends where it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -96,17 +96,27 @@ fn start(times: &[f64], look: &Look) -> (f64, Edge) {
     let widest = swings.iter().copied().fold(0.0, f64::max);
     // Free swings only shrink: the decay begins with the first of the widest.
     let first = swings.iter().position(|&swing| swing >= 0.9 * widest).unwrap_or(0);
-    if first > 0 {
-        // What made the swing so wide may act until its end.
-        let extreme: Extreme = look.extremes[first + 1];
-        return (extreme.time, Edge::Driven);
-    }
     let still = still_until(times, look, widest);
+    let next = look.extremes.iter().find(|extreme| extreme.time > still);
     // Half a swing around a turn stays within 2 % of the width for a sixth of it at most.
-    if still - times[0] > 0.3 * look.half {
-        return (still + 0.1 * look.half, Edge::Held);
+    let lay_still = still - times[0] > 0.3 * look.half;
+    match (next, first) {
+        (_, 1..) => (look.extremes[first].time, Edge::Driven),
+        (_, 0) if !lay_still => (times[0], Edge::Recording),
+        // From where it rests too, it was pushed: by its first turn that is over. So it looks, and no
+        // more than a swing is lost, where a velocity or an acceleration was recorded.
+        (Some(next), _) if (look.smooth[0] - middle(look)).abs() < 0.25 * widest => {
+            (next.time, Edge::Held)
+        }
+        _ => (still + 0.1 * look.half, Edge::Held),
     }
-    (times[0], Edge::Recording)
+}
+
+/// The middle between the last extremes.
+fn middle(look: &Look) -> f64 {
+    let last = &look.extremes[look.extremes.len().saturating_sub(7)..];
+    let mut middles: Vec<f64> = last.windows(2).map(|w| (w[0].value + w[1].value) / 2.0).collect();
+    median(&mut middles).unwrap_or(look.smooth[0])
 }
 
 /// Until when the smoothed values stay where they begin.
