@@ -45,9 +45,12 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     let wide = wide.into_iter().find(|found| found.len() >= 3)?;
     let mut half = spacing(times, &wide)?;
     let mut found = None;
+    let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     for _ in 0..2 {
-        let smooth = smoothed(times, values, REACH * half);
-        let (noise, left) = noise(times, values, &smooth, REACH * half);
+        // To the middle between two times: else rounding decides which of them it takes in.
+        let reach = ((REACH * half / step).floor() + 0.5) * step;
+        let smooth = smoothed(times, values, reach);
+        let (noise, left) = noise(values, &smooth, 2.0 * reach / step);
         let mut pivots = turns(&smooth, (ABOVE_NOISE * left).max(2e-3 * range));
         // Where a recording begins in the middle of a swing it does not turn.
         if pivots.first().is_some_and(|&i| times[i] - times[0] < REACH * half) {
@@ -125,13 +128,11 @@ fn smoothed(times: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
     times.iter().map(&mut mean).collect()
 }
 
-/// Standard deviations of the noise of the values and of what smoothing leaves of it.
+/// Standard deviations of the noise of the values and of what smoothing over `within` of them leaves.
 ///
 /// Second differences over neighbours see the noise and little of the motion; their median sees no
 /// steps either.
-fn noise(times: &[f64], values: &[f64], smooth: &[f64], reach: f64) -> (f64, f64) {
-    let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
-    let within = (2.0 * reach / step).max(1.0);
+fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
     let mut second: Vec<f64> =
         values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
     // 1.4826 makes a median a standard deviation; a second difference has √6 of it.

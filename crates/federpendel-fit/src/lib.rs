@@ -7,6 +7,7 @@ pub mod error;
 pub mod extremes;
 mod fit;
 mod growing;
+mod jumps;
 mod least_squares;
 mod mixes;
 pub mod model;

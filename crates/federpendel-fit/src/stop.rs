@@ -3,6 +3,7 @@
 //! The sum of squares jumps where the number changes, so no search by slopes finds it; with the number
 //! given it is smooth.
 
+use crate::jumps::settle;
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::problem::{COULOMB, Ending, OMEGA, Problem};
 
@@ -20,8 +21,10 @@ pub fn search(
         candidates.push((turn, near));
     } else {
         let ending = |number| Ending::after(number, &best.at);
-        let rest = problem.course(&best.at, best.ending, false)?.rest.map(|rest| rest.number);
-        let numbers = rest.into_iter().chain(seen).filter(|&number| number > 0);
+        // Its own rest, or the last turning point: the mass may hold there, too near the end to be seen.
+        let course = problem.course(&best.at, best.ending, false)?;
+        let last = course.rest.map_or(course.turning_points.len() as u64, |rest| rest.number);
+        let numbers = [last].into_iter().chain(seen).filter(|&number| number > 0);
         for number in numbers {
             if let Ending::Turn { turn, near } = ending(number) {
                 candidates.push((turn, near));
@@ -52,7 +55,8 @@ pub fn search(
             }
         }
     }
-    minimise(problem, &best.at, free, best.ending, Effort::FINE)
+    let best = minimise(problem, &best.at, free, best.ending, Effort::FINE)?;
+    Some(settle(problem, best, free))
 }
 
 /// Steps enough to see which number is best.
