@@ -1,66 +1,122 @@
 //! Minima between the jumps of an acceleration.
 //!
 //! Dry friction makes the acceleration jump by 2a_c at every turning point. A value recorded close to one
-//! changes sides as the parameters move, and the sum of squares jumps: it has many small minima around the lowest.
+//! changes sides as the parameters move, and the sum of squares jumps: it has many small minima
+//! around the lowest. With the jumps spread over some values it is smooth; its minimum shows the way.
 
 use crate::Quantity;
-use crate::covariance::variance;
-use crate::extremes::median;
-use crate::least_squares::{Effort, Minimum, minimise, solve};
-use crate::problem::{COULOMB, Loss, Problem, Vector};
+use crate::least_squares::{Effort, Minimum, minimise};
+use crate::model::Course;
+use crate::problem::{COULOMB, Ending, OMEGA, Problem, Vector};
 
 /// The lowest minimum found around `minimum`, where the recording has such jumps.
 pub fn settle(problem: &mut Problem, minimum: Minimum, free: &[bool; 7]) -> Minimum {
-    if problem.quantity != Quantity::Acceleration || minimum.at[COULOMB] == 0.0 {
-        return minimum;
+    let Some(spread) = problem.spread.take() else { return minimum };
+    let hard = |problem: &mut Problem, at: &Vector, effort: Effort| {
+        problem.spread = None;
+        minimise(problem, at, free, minimum.ending, effort)
+    };
+    let mut at = minimum.at;
+    let mut best = hard(problem, &at, Effort::COARSE);
+    // Ever steeper: where the lowest minimum lies at the very edge of where a value changes sides, none of
+    // the searches with sharp jumps could slide along that edge.
+    for share in [3.0, 1.0, 0.3, 0.1, 0.03, 0.01] {
+        problem.spread = Some(share * spread);
+        at = minimise(problem, &at, free, minimum.ending, Effort::COARSE).map_or(at, |found| found.at);
+        let found = hard(problem, &at, BRIEF);
+        best = match (best, found) {
+            (Some(best), Some(found)) if found.normal.cost < best.normal.cost => Some(found),
+            (best, found) => best.or(found),
+        };
     }
-    let mut best = unswayed(problem, &minimum, free).unwrap_or(minimum);
-    // Then steps of most of a standard error, each parameter in turn and the others following.
-    for share in [0.7, 0.25] {
-        for i in (0..6).filter(|&i| free[i]) {
-            for way in [share, -share] {
-                let Some(start) = beside(problem, &best, free, i, way) else { continue };
-                let found = minimise(problem, &start, free, best.ending, BRIEF);
-                best = found.filter(|f| f.normal.cost < best.normal.cost).unwrap_or(best);
-            }
+    let best = best.and_then(|best| hard(problem, &best.at, Effort::FINE)).unwrap_or(minimum);
+    problem.spread = Some(spread);
+    best
+}
+
+const BRIEF: Effort = Effort { steps: 3, gain: 1e-1 };
+
+/// A value of the model whose jump is spread: value and derivatives as they were and as they are now.
+pub struct Change {
+    /// Which value.
+    pub index: usize,
+    /// As it was.
+    pub was: (f64, Vector),
+    /// As it is.
+    pub is: (f64, Vector),
+}
+
+/// The values within `half` seconds of a jump, with the jump spread evenly over that time to both sides.
+/// Leaves the model and derivatives of the problem at `p`.
+pub fn spread(
+    problem: &mut Problem,
+    p: &Vector,
+    ending: Ending,
+    half: f64,
+) -> Option<Vec<Change>> {
+    // v = 0 at the jump: with the parameters it moves by −(∂v/∂θ)/a.
+    let quantity = std::mem::replace(&mut problem.quantity, Quantity::Velocity);
+    let course = problem.course(p, ending, true);
+    problem.quantity = quantity;
+    let jumps = jumps(problem, p, &course?, half);
+    let rows: Vec<Vector> = jumps.iter().map(|jump| problem.row(jump.moves_as).1).collect();
+    problem.course(p, ending, true)?;
+    let changed = |(jump, mut row): (&Jump, Vector)| {
+        let was = problem.row(jump.index);
+        let share = jump.share - f64::from(u8::from(jump.over));
+        let mut is = (was.0 + jump.height * share, was.1);
+        is.1[COULOMB] += 2.0 * jump.side * share;
+        row[6] = 0.0;
+        if jump.slope != 0.0 {
+            is.1 += row * (jump.height / (2.0 * half) / jump.slope);
         }
-    }
-    minimise(problem, &best.at, free, best.ending, Effort::FINE).unwrap_or(best)
+        Change { index: jump.index, was, is }
+    };
+    Some(jumps.iter().zip(rows).map(changed).collect())
 }
 
-const BRIEF: Effort = Effort { steps: 6, gain: 1e-2 };
-
-/// The lower one of `minimum` and what is reached from it over a loss that does not count values on the wrong
-/// side of a jump.
-fn unswayed(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> Option<Minimum> {
-    let loss = problem.loss;
-    let residuals = problem.residuals(&minimum.at, minimum.ending)?;
-    let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-    let scale = 1.4826 * median(&mut sizes)?;
-    if scale <= 0.0 {
-        return None;
-    }
-    problem.loss = (Loss::Tukey, scale);
-    let robust = minimise(problem, &minimum.at, free, minimum.ending, Effort::COARSE);
-    problem.loss = loss;
-    let found = minimise(problem, &robust?.at, free, minimum.ending, Effort::COARSE)?;
-    (found.normal.cost < minimum.normal.cost).then_some(found)
+/// A value close to a jump.
+struct Jump {
+    /// Which value.
+    index: usize,
+    /// How far through the spread jump its time is, from 0 to 1.
+    share: f64,
+    /// Whether it is behind the jump.
+    over: bool,
+    /// The acceleration after the jump, less that before.
+    height: f64,
+    /// The acceleration where the value lies.
+    slope: f64,
+    /// The direction of motion before the jump.
+    side: f64,
+    /// The value whose velocity tells how the jump moves: at rest that of one before.
+    moves_as: usize,
 }
 
-/// Where parameter `i` is `shift` of its standard error away and the others follow.
-fn beside(
-    problem: &Problem,
-    minimum: &Minimum,
-    free: &[bool; 7],
-    i: usize,
-    shift: f64,
-) -> Option<Vector> {
-    let mut unit = Vector::zeros();
-    unit[i] = 1.0;
-    // A column of the inverse, scaled: the step along which χ² grows least for this parameter.
-    let column = solve(&minimum.normal.information, &unit, free, 0.0)?;
-    let stderr = (column[i] * variance(minimum, free, problem.len())).sqrt();
-    let mut start = minimum.at + column * (shift * stderr / column[i]);
-    crate::problem::LAWS.iter().for_each(|&law| start[law] = start[law].max(0.0));
-    start.iter().all(|x| x.is_finite()).then_some(start)
+/// The values within `half` seconds of the turning points.
+fn jumps(problem: &Problem, p: &Vector, course: &Course, half: f64) -> Vec<Jump> {
+    let mut found = Vec::new();
+    let mut side = if p[5] == 0.0 { -p[4].signum() } else { p[5].signum() };
+    for (number, point) in course.turning_points.iter().enumerate() {
+        let spring = -p[OMEGA] * p[OMEGA] * point.position;
+        let before = spring - side * p[COULOMB];
+        let rests = course.rest.is_some() && number + 1 == course.turning_points.len();
+        let after = if rests { 0.0 } else { spring + side * p[COULOMB] };
+        let first = problem.times.partition_point(|&t| t < point.time - half);
+        let end = problem.times.partition_point(|&t| t < point.time + half);
+        for index in first..end {
+            let over = problem.times[index] >= point.time;
+            found.push(Jump {
+                index,
+                share: (problem.times[index] - point.time + half) / (2.0 * half),
+                over,
+                height: after - before,
+                slope: if over && !rests { after } else { before },
+                side,
+                moves_as: if rests { first.saturating_sub(1) } else { index },
+            });
+        }
+        side = -side;
+    }
+    found
 }

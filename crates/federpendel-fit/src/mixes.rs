@@ -5,8 +5,9 @@ use federpendel::Mix;
 use crate::extremes::Look;
 use crate::growing::grow;
 use crate::least_squares::{Effort, Minimum, minimise, solve};
+use crate::Quantity;
 use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
-use crate::{start, stop};
+use crate::{jumps, start, stop};
 
 /// A fitted mix.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +33,7 @@ pub fn within(small: Mix, large: Mix) -> bool {
 /// Fits every mix of the `allowed` laws, the largest first.
 pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Option<Vec<Fitted>> {
     let half = look.map_or(f64::INFINITY, |look| look.half);
+    problem.spread = (problem.quantity == Quantity::Acceleration).then(|| problem.step());
     let seen = look.and_then(|look| turns_seen(problem, look));
     let mixes = start::mixes(allowed);
     let mut fitted: Vec<Fitted> = Vec::new();
@@ -66,6 +68,7 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
             }
         }
     }
+    problem.spread = None;
     Some(fitted)
 }
 
@@ -79,7 +82,8 @@ fn turns_seen(problem: &Problem, look: &Look) -> Option<u64> {
 fn refine(problem: &mut Problem, from: &Minimum, mix: Mix, seen: Option<u64>) -> Option<Minimum> {
     let free = free(mix);
     if mix.coulomb {
-        stop::search(problem, from, &free, seen)
+        let found = stop::search(problem, from, &free, seen)?;
+        Some(jumps::settle(problem, found, &free))
     } else {
         minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)
     }

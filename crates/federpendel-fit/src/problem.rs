@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{SMatrix, SVector};
 
 use crate::model::{Course, Jacobian, Parameters, Stop, evaluate};
-use crate::Quantity;
+use crate::{Quantity, jumps};
 
 /// One number for each parameter, in the order of [`NAMES`].
 pub type Vector = SVector<f64, 7>;
@@ -120,6 +120,8 @@ pub struct Problem {
     pub quantity: Quantity,
     /// How residuals count, and the standard deviation that this is measured in.
     pub loss: (Loss, f64),
+    /// Half the time over which jumps of an acceleration are spread, s; see [`crate::jumps`].
+    pub spread: Option<f64>,
     model: Vec<f64>,
     jacobian: Jacobian,
     /// Evaluations of the model so far.
@@ -137,12 +139,23 @@ pub struct Normal {
     pub information: Matrix,
 }
 
+impl Normal {
+    /// Adds `times` the part of one value.
+    fn count(&mut self, residual: f64, row: &Vector, (loss, scale): (Loss, f64), times: f64) {
+        let (counted, weight) = loss.of(residual / scale);
+        self.cost += times * counted * scale * scale;
+        self.gradient += row * (times * weight * residual);
+        self.information += row * row.transpose() * (times * weight);
+    }
+}
+
 impl Problem {
     /// The problem of all these values.
     pub fn new(times: Vec<f64>, values: Vec<f64>, quantity: Quantity) -> Self {
         let loss = (Loss::Squares, 1.0);
         let model = vec![0.0; times.len()];
-        Self { times, values, quantity, loss, model, jacobian: Jacobian::default(), evaluations: 0 }
+        let jacobian = Jacobian::new();
+        Self { times, values, quantity, loss, spread: None, model, jacobian, evaluations: 0 }
     }
 
     /// How many values there are.
@@ -155,17 +168,41 @@ impl Problem {
         self.values.is_empty()
     }
 
+    /// The mean time between values, s.
+    pub fn step(&self) -> f64 {
+        (self.times[self.len() - 1] - self.times[0]) / (self.len() - 1) as f64
+    }
+
     /// The first `count` values, of which every `stride`-th is taken.
     pub fn part(&self, count: usize, stride: usize) -> Self {
         let take = |all: &[f64]| all[..count].iter().step_by(stride).copied().collect::<Vec<_>>();
         let mut part = Self::new(take(&self.times), take(&self.values), self.quantity);
         part.loss = self.loss;
+        // Jumps are spread over so many values, of which there are fewer now.
+        part.spread = self.spread.map(|half| half * stride as f64);
         part
     }
 
     /// Sum and derivatives at `p`; none where the model cannot be computed.
     pub fn normal(&mut self, p: &Vector, ending: Ending) -> Option<Normal> {
-        self.course(p, ending, true)?;
+        let changes = match self.spread {
+            Some(half) if p[COULOMB] > 0.0 => jumps::spread(self, p, ending, half)?,
+            _ => {
+                self.course(p, ending, true)?;
+                vec![]
+            }
+        };
+        let mut normal = self.sums();
+        for change in &changes {
+            normal.count(self.values[change.index] - change.was.0, &change.was.1, self.loss, -1.0);
+            normal.count(self.values[change.index] - change.is.0, &change.is.1, self.loss, 1.0);
+        }
+        let finite = normal.information.iter().all(|x| x.is_finite());
+        (normal.cost.is_finite() && finite).then_some(normal)
+    }
+
+    /// Sum and derivatives from the model's values, which it overwrites, and its derivatives.
+    fn sums(&mut self) -> Normal {
         let (loss, scale) = self.loss;
         let mut cost = 0.0;
         let mut weights = Vec::new();
@@ -195,8 +232,7 @@ impl Problem {
                 (information[(i, j)], information[(j, i)]) = (product, product);
             }
         }
-        let normal = Normal { cost, gradient, information };
-        (cost.is_finite() && information.iter().all(|x| x.is_finite())).then_some(normal)
+        Normal { cost, gradient, information }
     }
 
     /// The course of the motion at `p`; none where the model cannot be computed. Leaves the model's
@@ -220,6 +256,11 @@ impl Problem {
     pub fn residuals(&mut self, p: &Vector, ending: Ending) -> Option<Vec<f64>> {
         self.course(p, ending, false)?;
         Some(self.values.iter().zip(&self.model).map(|(value, model)| value - model).collect())
+    }
+
+    /// The model's value and derivatives at `index`, as last computed.
+    pub fn row(&self, index: usize) -> (f64, Vector) {
+        (self.model[index], Vector::from_fn(|i, _| self.jacobian.column(i)[index]))
     }
 
     /// Derivatives at `p`; none where the model cannot be computed.

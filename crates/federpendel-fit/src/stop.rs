@@ -3,7 +3,6 @@
 //! The sum of squares jumps where the number changes, so no search by slopes finds it; with the number
 //! given it is smooth.
 
-use crate::jumps::settle;
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::problem::{COULOMB, Ending, OMEGA, Problem};
 
@@ -55,8 +54,7 @@ pub fn search(
             }
         }
     }
-    let best = minimise(problem, &best.at, free, best.ending, Effort::FINE)?;
-    Some(settle(problem, best, free))
+    minimise(problem, &best.at, free, best.ending, Effort::FINE)
 }
 
 /// Steps enough to see which number is best.

@@ -101,12 +101,12 @@ fn start(times: &[f64], look: &Look) -> (f64, Edge) {
     // Half a swing around a turn stays within 2 % of the width for a sixth of it at most.
     let lay_still = still - times[0] > 0.3 * look.half;
     match (next, first) {
-        (_, 1..) => (look.extremes[first].time, Edge::Driven),
+        (_, 1..) => (look.extremes[first].time + 0.1 * look.half, Edge::Driven),
         (_, 0) if !lay_still => (times[0], Edge::Recording),
         // From where it rests too, it was pushed: by its first turn that is over. So it looks, and no
         // more than a swing is lost, where a velocity or an acceleration was recorded.
         (Some(next), _) if (look.smooth[0] - middle(look)).abs() < 0.25 * widest => {
-            (next.time, Edge::Held)
+            (next.time + 0.1 * look.half, Edge::Held)
         }
         _ => (still + 0.1 * look.half, Edge::Held),
     }
