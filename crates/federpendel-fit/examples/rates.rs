@@ -52,10 +52,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let only: Option<usize> = arguments.next().map(|n| n.parse()).transpose()?;
     let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let mut reached = Tally::default();
-    let mut covered: [Tally; 4] = Default::default();
+    let mut covered: [[Tally; 4]; 3] = Default::default();
     let (mut named, mut named_alone, mut absent, mut adequate, mut window) =
         (Tally::default(), Tally::default(), Tally::default(), Tally::default(), Tally::default());
     let mut seconds = Vec::new();
+    let mut by_quantity: [Vec<f64>; 3] = Default::default();
     for i in 0..count {
         let known = known(&mut random, correlation)?;
         if only.is_some_and(|only| only != i) {
@@ -65,6 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let clock = Instant::now();
         let report = fit(&known.recording, &Options::default());
         seconds.push(clock.elapsed().as_secs_f64());
+        by_quantity[known.recording.quantity as usize].extend(seconds.last());
         let Ok(report) = report.and_then(|_| fit(&known.recording, &options)) else {
             println!("{i}: no fit: {:?}", report_error(&known));
             reached.count(false);
@@ -81,7 +83,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("{i}: {}", describe(&known, &report));
         }
         if let Some(model) = report.model(known.mix) {
-            for (tally, k) in covered.iter_mut().zip(0..4) {
+            for (tally, k) in covered[known.recording.quantity as usize].iter_mut().zip(0..4) {
                 let truth = known.truth.to_array()[k];
                 if let Some(p) = model.parameter(NAMES[k]) {
                     let (low, high) = p.interval95;
@@ -121,13 +123,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let at = |share: f64| 1e3 * seconds[((seconds.len() - 1) as f64 * share) as usize];
     println!("true mix at or below the residual of the truth  {reached}");
     println!("window begins in the free motion, and soon      {window}");
-    for (tally, name) in covered.iter().zip(NAMES) {
-        println!("95 % interval holds {name:<27} {tally}");
+    for (quantity, tallies) in ["position", "velocity", "acceleration"].iter().zip(&covered) {
+        for (tally, name) in tallies.iter().zip(NAMES) {
+            println!("{quantity:<12}: 95 % interval holds {name:<20} {tally}");
+        }
     }
     println!("acts, 5 standard errors beside all laws: named  {named}");
     println!("acts, 5 standard errors in the true mix: chosen {named_alone}");
     println!("does not act, but named                         {absent}");
     println!("found adequate                                  {adequate}");
+    for (quantity, times) in ["position", "velocity", "acceleration"].iter().zip(&by_quantity) {
+        let mean = times.iter().sum::<f64>() / times.len().max(1) as f64 * 1e3;
+        println!("{quantity:<12}: ms per fit, mean {mean:.0}");
+    }
     let mean = seconds.iter().sum::<f64>() / seconds.len() as f64 * 1e3;
     println!("ms per fit: mean {mean:.0}, median {:.0}, 90 % {:.0}, longest {:.0}", at(0.5), at(0.9), at(1.0));
     Ok(())

@@ -34,7 +34,7 @@ pub enum Fault {
 pub struct Finding {
     /// What it points to.
     pub fault: Fault,
-    /// Its root mean square over that of the motion.
+    /// Its root mean square over that of the widest swing.
     pub size: f64,
     /// Its share of the sum of squares of the residuals.
     pub share: f64,
@@ -54,7 +54,7 @@ pub struct Adequacy {
     pub adequate: bool,
     /// Patterns in the residuals, the largest first.
     pub findings: Vec<Finding>,
-    /// Root mean square of the residuals over that of the motion.
+    /// Root mean square of the residuals over that of the widest swing.
     pub residual: f64,
 }
 
@@ -78,10 +78,11 @@ pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> O
     let everything: Vec<&Vec<f64>> = families.iter().flat_map(|(_, columns)| columns).collect();
     let left = patterns.explain(&everything)?.left;
     let step = patterns.span / (left.len() - 1) as f64;
-    let excess = excess(&left, step, minimum.at[OMEGA]);
+    let omega = minimum.at[OMEGA];
+    let excess = excess(&left, step, omega, omega);
     let used = everything.len() + 7;
-    let unit = square(&left) / left.len().saturating_sub(used).max(1) as f64 * excess.at_motion;
-    let motion = square(&patterns.swing);
+    let unit = square(&left) / left.len().saturating_sub(used).max(1) as f64 * excess;
+    let motion = patterns.widest();
     let mut findings = Vec::new();
     for (fault, columns) in &families {
         let found = patterns.explain(&columns.iter().collect::<Vec<_>>())?;
@@ -111,6 +112,19 @@ fn prefer_amplitude(findings: &mut Vec<Finding>) {
         let amplitude_says_it = amplitude > 0.5 * drift;
         findings.retain(|f| if amplitude_says_it { f.fault != Fault::PeriodDrift } else { !soft(f) });
     }
+}
+
+/// The residuals at `minimum`, and what a drift of the period leaves of them.
+pub fn steady(
+    problem: &mut Problem,
+    minimum: &Minimum,
+    free: &[bool; 7],
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let patterns = Patterns::new(problem, minimum, free)?;
+    let mut columns = patterns.along(&patterns.slope, 4);
+    columns.extend(patterns.softening());
+    let left = patterns.explain(&columns.iter().collect::<Vec<_>>())?.left;
+    Some((patterns.residuals, left))
 }
 
 fn square(values: &[f64]) -> f64 {
@@ -168,6 +182,12 @@ impl Patterns {
             (0..7).filter(|&i| free[i]).map(|i| jacobian.column(i).to_vec()).collect::<Vec<_>>();
         let cost = square(&residuals);
         Some(Self { swing, slope, amplitude2, unit_times, times, span, residuals, cost, base })
+    }
+
+    /// The sum of squares of as many values of a swing that stays as wide as the widest.
+    fn widest(&self) -> f64 {
+        let widest = self.swing.iter().fold(0.0f64, |widest, x| widest.max(x.abs()));
+        0.5 * widest * widest * self.swing.len() as f64
     }
 
     /// `direction` times Legendre polynomials of time, from the first degree to `highest`.

@@ -4,9 +4,6 @@ use crate::least_squares::Minimum;
 use crate::noise::Excess;
 use crate::problem::{LAWS, Matrix, Vector};
 
-/// Where the zero of the sensor stands.
-const EQUILIBRIUM: usize = 6;
-
 /// The covariance of the `free` parameters of a fit to `count` values.
 ///
 /// The variance of one value is that of the residuals, whatever the recording states; residuals that hang
@@ -23,10 +20,9 @@ pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Exc
     });
     let inverse = scaled.cholesky().map(|factor| factor.inverse());
     let variance = variance(minimum, free, count);
-    let excess = |i: usize| if i == EQUILIBRIUM { excess.at_zero } else { excess.at_motion };
     Matrix::from_fn(|i, j| match &inverse {
         Some(inverse) if used(i) && used(j) => {
-            let excess = (excess(i) * excess(j)).sqrt();
+            let excess = (excess.of(i) * excess.of(j)).sqrt();
             inverse[(i, j)] / (scale[i] * scale[j]) * variance * excess
         }
         // Nothing is known where the curvature vanishes.

@@ -64,7 +64,8 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     Some(Look { extremes, smooth, half, noise, left })
 }
 
-fn bounds(values: &[f64]) -> (f64, f64) {
+/// The lowest and the highest.
+pub fn bounds(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)))
 }
 

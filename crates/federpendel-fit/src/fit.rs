@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use federpendel::Mix;
 
-use crate::adequacy::adequacy;
+use crate::adequacy::{adequacy, steady};
 use crate::bootstrap;
 use crate::covariance::{covariance, interval, student, variance};
 use crate::error::FitError;
 use crate::extremes::median;
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
-use crate::noise::{Excess, excess};
+use crate::noise::Excess;
 use crate::options::{Intervals, Loss, Options};
 use crate::problem::{COULOMB, LAWS, Matrix, NAMES, OMEGA, Problem, Vector};
 use crate::profile;
@@ -33,8 +33,9 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
     check(recording, options)?;
     let mut found = find(recording, options.from, options.to);
     let mut fits = Fits::new(recording, &found, options)?;
-    if let Some(first) = fits.misfit(&found.window, options) {
+    for _ in 0..3 {
         // A hand that let go late, or the like, spoils the first values: without them once more.
+        let Some(first) = fits.misfit(&found.window, options) else { break };
         let Window { end, ends, .. } = found.window;
         found.window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
         found.look = crate::extremes::look(
@@ -110,10 +111,10 @@ impl Fits {
         }
         let best = fitted.iter().min_by(|a, b| a.minimum.normal.cost.total_cmp(&b.minimum.normal.cost));
         let best = *best.ok_or(none.clone())?;
-        let residuals = problem.residuals(&best.minimum.at, best.minimum.ending).ok_or(none)?;
-        let step = (to - from) / (residuals.len() - 1) as f64;
-        let excess = excess(&residuals, step, best.minimum.at[OMEGA]);
-        let effective = residuals.len() as f64 / excess.at_motion;
+        let steady = steady(&mut problem, &best.minimum, &free(best.mix));
+        let (residuals, steady) = steady.ok_or(none)?;
+        let excess = Excess::new(&residuals, &steady, problem.step(), best.minimum.at[OMEGA]);
+        let effective = residuals.len() as f64 / excess.of_amplitude;
         Ok(Self { problem, fitted, excess, effective })
     }
 
@@ -122,23 +123,30 @@ impl Fits {
         &self.fitted[0]
     }
 
-    /// The index from which on the recording fits, if its first values do not belong to the motion:
-    /// residuals over the first eighth of a period that are far larger than elsewhere.
+    /// The index from which on the recording fits, if its first values do not belong to the motion: over the
+    /// first eighth of a period, or over the first swing, the residuals are far larger than after it.
     fn misfit(&mut self, window: &Window, options: &Options) -> Option<usize> {
+        if options.from.is_some() {
+            return None;
+        }
         let Minimum { at, ending, .. } = self.largest().minimum;
         let residuals = self.problem.residuals(&at, ending)?;
         let begin = self.problem.times[0];
-        let period = 2.0 * PI / at[OMEGA];
-        let early = self.problem.times.partition_point(|&t| t <= begin + period / 8.0);
-        let enough = self.problem.len() > 3 * early + FEWEST && early >= 2;
-        if options.from.is_some() || !enough {
-            return None;
+        let half = PI / at[OMEGA];
+        let index = |swings: f64| self.problem.times.partition_point(|&t| t <= begin + swings * half);
+        let rms = |from: usize, to: usize| {
+            let part = &residuals[from..to];
+            (part.iter().map(|r| r * r).sum::<f64>() / part.len().max(1) as f64).sqrt()
+        };
+        // How long the part is, how many times larger its residuals, and where the window begins without it.
+        for (part, times, without) in [(0.25, 3.0, 0.6), (1.0, 2.0, 1.0)] {
+            let (end, later) = (index(part), index(part + 4.0));
+            let enough = end >= 2 && later >= end + FEWEST && self.problem.len() >= 2 * later;
+            if enough && rms(0, end) > times * rms(end, later) {
+                return Some(window.first + index(without));
+            }
         }
-        let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-        let usual = median(&mut sizes)? * 1.4826;
-        let rms = |part: &[f64]| (part.iter().map(|r| r * r).sum::<f64>() / part.len() as f64).sqrt();
-        let late = self.problem.times.partition_point(|&t| t <= begin + 0.3 * period);
-        (rms(&residuals[..early]) > 3.0 * usual).then_some(window.first + late)
+        None
     }
 
     fn report(
@@ -242,7 +250,7 @@ impl Fits {
         let refits = match how {
             Intervals::Bootstrap(bootstrap) => {
                 let step = (self.problem.times[1] - self.problem.times[0]).max(f64::MIN_POSITIVE);
-                let block = if self.excess.at_motion > 1.0 { PI / minimum.at[OMEGA] / step } else { 1.0 };
+                let block = if self.excess.of_phase > 1.0 { PI / minimum.at[OMEGA] / step } else { 1.0 };
                 bootstrap::refits(&self.problem, minimum, free, block as usize, bootstrap)
             }
             _ => vec![],
@@ -258,8 +266,8 @@ impl Fits {
                 Intervals::Bootstrap(_) => bootstrap::interval(&refits, i)
                     .map_or(plain, |(low, high)| (Some(low), Some(high))),
                 Intervals::Profile => {
-                    let excess = if i == 6 { self.excess.at_zero } else { self.excess.at_motion };
-                    let measure = profile::Measure { unit: variance * excess, stderr, quantile };
+                    let unit = variance * self.excess.of(i);
+                    let measure = profile::Measure { unit, stderr, quantile };
                     profile::interval(&mut self.problem, minimum, free, i, measure)
                 }
             }

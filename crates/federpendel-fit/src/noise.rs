@@ -8,13 +8,41 @@
 
 use std::f64::consts::PI;
 
-/// By how much the noise exceeds white noise of its variance, at the frequency of the motion and at zero.
+/// By how much noise exceeds white noise of the residuals' variance.
+///
+/// The noise that shifts the phase and the noise that changes the amplitude are told apart: a period that drifts by
+/// little makes the phase unsure, not the friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Excess {
-    /// F at ω0, at least 1.
-    pub at_motion: f64,
-    /// F at zero, at least 1.
-    pub at_zero: f64,
+    /// At ω0, for the frequency and the state at the start; at least 1.
+    pub of_phase: f64,
+    /// At ω0 with what a drift of the period explains taken away, for the coefficients of friction.
+    pub of_amplitude: f64,
+    /// At zero, for the zero of the sensor; at least 1.
+    pub of_zero: f64,
+}
+
+impl Excess {
+    /// The excess for parameter `i`, in the order of [`crate::problem::NAMES`].
+    pub fn of(&self, i: usize) -> f64 {
+        match i {
+            1..=3 => self.of_amplitude,
+            6 => self.of_zero,
+            _ => self.of_phase,
+        }
+    }
+
+    /// From residuals, and from the same with a drift of the period taken away.
+    pub fn new(residuals: &[f64], steady: &[f64], step: f64, omega: f64) -> Self {
+        let mean = |r: &[f64]| r.iter().map(|r| r * r).sum::<f64>() / r.len() as f64;
+        let (all, left) = (mean(residuals), mean(steady));
+        let share = if all > 0.0 { left / all } else { 1.0 };
+        Self {
+            of_phase: excess(residuals, step, omega, omega),
+            of_amplitude: excess(steady, step, omega, omega) * share,
+            of_zero: excess(residuals, step, omega, 0.0),
+        }
+    }
 }
 
 /// The highest order tried.
@@ -23,8 +51,9 @@ const ORDER: usize = 12;
 /// of a fine sampling shows then.
 const PER_PERIOD: f64 = 24.0;
 
-/// The excess of `residuals` at even steps of `step` seconds for a motion of frequency `omega`.
-pub fn excess(residuals: &[f64], step: f64, omega: f64) -> Excess {
+/// The power of `residuals` at `frequency` over that of white noise with their variance, at least 1; for
+/// a motion of frequency `omega` recorded at even steps of `step` seconds.
+pub fn excess(residuals: &[f64], step: f64, omega: f64, frequency: f64) -> f64 {
     let block = ((2.0 * PI / omega / step / PER_PERIOD).floor() as usize)
         .clamp(1, (residuals.len() / 60).max(1));
     let means: Vec<f64> = residuals
@@ -33,11 +62,8 @@ pub fn excess(residuals: &[f64], step: f64, omega: f64) -> Excess {
         .collect();
     let variance = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64;
     let process = autoregression(&means, ORDER.min(means.len() / 10));
-    let at = |omega: f64| {
-        let power = process.power(omega * step * block as f64) * block as f64;
-        if variance > 0.0 { (power / variance).max(1.0) } else { 1.0 }
-    };
-    Excess { at_motion: at(omega), at_zero: at(0.0) }
+    let power = process.power(frequency * step * block as f64) * block as f64;
+    if variance > 0.0 { (power / variance).max(1.0) } else { 1.0 }
 }
 
 /// x_t = Σ a_k x_{t−k} + noise of this variance.

@@ -1,7 +1,7 @@
 //! Which part of a recording is a free decay.
 
 use crate::Recording;
-use crate::extremes::{Extreme, Look, look, median};
+use crate::extremes::{Extreme, Look, bounds, look, median};
 
 /// Why a window begins or ends where it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -105,15 +105,21 @@ fn start(times: &[f64], look: &Look) -> (f64, Edge) {
         (_, 0) if !lay_still => (times[0], Edge::Recording),
         // From where it rests too, it was pushed: by its first turn that is over. So it looks, and no
         // more than a swing is lost, where a velocity or an acceleration was recorded.
-        (Some(next), _) if (look.smooth[0] - middle(look)).abs() < 0.25 * widest => {
+        (Some(next), _) if (look.smooth[0] - middle(look, widest)).abs() < 0.25 * widest => {
             (next.time + 0.1 * look.half, Edge::Held)
         }
         _ => (still + 0.1 * look.half, Edge::Held),
     }
 }
 
-/// The middle between the last extremes.
-fn middle(look: &Look) -> f64 {
+/// Where the recorded quantity ends up: its level at the end if it is still there, else the middle between
+/// the last extremes.
+fn middle(look: &Look, widest: f64) -> f64 {
+    let end = &look.smooth[look.smooth.len() - look.smooth.len().div_ceil(5)..];
+    let (low, high) = bounds(end);
+    if high - low < 0.1 * widest {
+        return (low + high) / 2.0;
+    }
     let last = &look.extremes[look.extremes.len().saturating_sub(7)..];
     let mut middles: Vec<f64> = last.windows(2).map(|w| (w[0].value + w[1].value) / 2.0).collect();
     median(&mut middles).unwrap_or(look.smooth[0])
