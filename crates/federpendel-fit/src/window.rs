@@ -20,6 +20,8 @@ pub enum Edge {
     Still,
     /// After this something else moves the mass.
     Disturbed,
+    /// After this swings no longer shrink: something else keeps the mass in motion, as the ground does.
+    Unrest,
 }
 
 /// The part of a recording that is fitted.
@@ -148,9 +150,22 @@ fn ended(times: &[f64], window: Window, look: &Look) -> Window {
             return cut(times, window, stop, Edge::Disturbed);
         }
     }
+    if let Some(i) = unrest(&swings, widest) {
+        return cut(times, window, extremes[i].time, Edge::Unrest);
+    }
     let Some(last) = extremes.last() else { return window };
     let still = (3.0 * look.half).max(0.3 * (last.time - window.from));
     cut(times, window, last.time + still, Edge::Still)
+}
+
+/// The first swing that is not clearly wider than those that go on at the end without shrinking.
+fn unrest(swings: &[f64], widest: f64) -> Option<usize> {
+    let n = swings.len();
+    let usual = |from: usize, to: usize| median(&mut swings[from..to].to_vec());
+    let (before, last) = (usual(n / 2, n - n / 4)?, usual(n - n / 4, n)?);
+    let goes_on = last < 0.05 * widest && last > 0.7 * before;
+    let reached = swings.iter().position(|&swing| swing < 2.0 * last)?;
+    (n >= 12 && goes_on).then_some(reached)
 }
 
 fn cut(times: &[f64], window: Window, to: f64, edge: Edge) -> Window {

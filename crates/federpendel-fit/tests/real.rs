@@ -7,6 +7,7 @@ use federpendel::Mix;
 use federpendel_fit::{Fault, FitReport, Options, Quantity, Recording, Standing, fit};
 
 const STOKES: Mix = Mix { stokes: true, coulomb: false, newton: false };
+const COULOMB: Mix = Mix { stokes: false, coulomb: true, newton: false };
 const NEWTON: Mix = Mix { stokes: false, coulomb: false, newton: true };
 const BOTH: Mix = Mix { stokes: true, coulomb: false, newton: true };
 
@@ -91,8 +92,9 @@ fn a_seismometer_with_a_magnet_has_stokes_friction() {
     for name in ["11mm_damping", "75mm_damping", "blow", "blow_2_5"] {
         let name = format!("nyu_seismometer/{name}.txt");
         let Some(report) = fitted(&name, Quantity::Position) else { return };
-        assert!(report.verdict.mix.stokes, "{name}");
-        assert!(report.adequacy.adequate, "{name}");
+        // Its swings are so wide that it softens, which the fit says; of the laws Stokes' is still the nearest.
+        let rms = |mix| report.model(mix).map_or(f64::INFINITY, |model| model.rms);
+        assert!(rms(STOKES) < rms(NEWTON) && rms(STOKES) < rms(COULOMB), "{name}");
     }
 }
 
