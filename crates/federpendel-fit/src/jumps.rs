@@ -9,8 +9,13 @@ use crate::least_squares::{Effort, Minimum, minimise};
 use crate::model::Course;
 use crate::problem::{COULOMB, Ending, OMEGA, Problem, Vector};
 
-/// The lowest minimum found around `minimum`, where the recording has such jumps.
-pub fn settle(problem: &mut Problem, minimum: Minimum, free: &[bool; 7]) -> Minimum {
+/// The lowest minimum found around `minimum`, where the recording has such jumps; only the nearest if not `thoroughly`.
+pub fn settle(
+    problem: &mut Problem,
+    minimum: Minimum,
+    free: &[bool; 7],
+    thoroughly: bool,
+) -> Minimum {
     let Some(spread) = problem.spread.take() else { return minimum };
     let hard = |problem: &mut Problem, at: &Vector, effort: Effort| {
         problem.spread = None;
@@ -20,7 +25,8 @@ pub fn settle(problem: &mut Problem, minimum: Minimum, free: &[bool; 7]) -> Mini
     let mut best = hard(problem, &at, Effort::COARSE);
     // Ever steeper: where the lowest minimum lies at the very edge of where a value changes sides, none of
     // the searches with sharp jumps could slide along that edge.
-    for share in [3.0, 1.0, 0.3, 0.1, 0.03, 0.01] {
+    let steeper: &[f64] = if thoroughly { &[3.0, 1.0, 0.3, 0.1, 0.03, 0.01] } else { &[] };
+    for share in steeper {
         problem.spread = Some(share * spread);
         at = minimise(problem, &at, free, minimum.ending, Effort::COARSE).map_or(at, |found| found.at);
         let found = hard(problem, &at, BRIEF);

@@ -43,7 +43,8 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
         } else {
             nearest(problem, look, &fitted, mix)?
         };
-        let found = refine(problem, &from, mix, seen);
+        let worth = fitted.first().map(|largest| largest.minimum.normal.cost);
+        let found = refine(problem, &from, mix, seen, worth);
         fitted.extend(found.map(|minimum| Fitted { mix, minimum }));
     }
     // A law more never fits worse: where a search ended too high, the smaller mix shows the way.
@@ -59,7 +60,7 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
                     small.minimum.ending
                 };
                 let from = Minimum { ending, ..small.minimum };
-                let again = refine(problem, &from, large.mix, half_seen);
+                let again = refine(problem, &from, large.mix, half_seen, None);
                 if let Some(minimum) = again
                     && minimum.normal.cost < large.minimum.normal.cost
                 {
@@ -79,15 +80,28 @@ fn turns_seen(problem: &Problem, look: &Look) -> Option<u64> {
     rests.then_some(look.extremes.len() as u64)
 }
 
-fn refine(problem: &mut Problem, from: &Minimum, mix: Mix, seen: Option<u64>) -> Option<Minimum> {
+/// The minimum of a mix near `from`. `best` is the lowest sum of squares so far: fits far above it are not
+/// worth the search between jumps.
+fn refine(
+    problem: &mut Problem,
+    from: &Minimum,
+    mix: Mix,
+    seen: Option<u64>,
+    best: Option<f64>,
+) -> Option<Minimum> {
     let free = free(mix);
     if mix.coulomb {
         let found = stop::search(problem, from, &free, seen)?;
-        Some(jumps::settle(problem, found, &free))
+        let hopeless = 1.0 + HOPELESS / problem.len() as f64;
+        let near = best.is_none_or(|best| found.normal.cost < hopeless * best);
+        Some(jumps::settle(problem, found, &free, near))
     } else {
         minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)
     }
 }
+
+/// A fit so many variances above the best is rejected, wherever exactly its minimum lies.
+const HOPELESS: f64 = 400.0;
 
 /// The largest mix from a cold start.
 fn first(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Option<Minimum> {
