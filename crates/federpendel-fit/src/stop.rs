@@ -3,8 +3,9 @@
 //! The sum of squares jumps where the number changes, so no search by slopes finds it; with the number
 //! given it is smooth.
 
-use crate::least_squares::{Effort, Minimum, minimise};
-use crate::problem::{COULOMB, Ending, OMEGA, Problem};
+use crate::least_squares::{Effort, Minimum, minimise, solve};
+use crate::model::Stop;
+use crate::problem::{COULOMB, Ending, LAWS, OMEGA, Problem, Vector};
 
 /// The best of the minima with the natural rule and with rest after each number of turning points near
 /// `seen` and near what the natural rule gives; downhill in that number.
@@ -36,13 +37,14 @@ pub fn search(
         // Downhill from each candidate, one turning point at a time.
         loop {
             let mut moved = false;
-            for next in [turn, turn - 1, turn + 1] {
+            for next in [turn, turn - 1, turn + 1, turn - 2, turn + 2] {
                 if tried.contains(&next) || next < 1 {
                     continue;
                 }
                 tried.push(next);
                 let ending = Ending::Turn { turn: next, near };
-                let Some(found) = minimise(problem, &best.at, free, ending, BRIEF) else { continue };
+                let Some(start) = slack(problem, &best, free, ending) else { continue };
+                let Some(found) = minimise(problem, &start, free, ending, BRIEF) else { continue };
                 if found.normal.cost < best.normal.cost {
                     best = found;
                     moved = next != turn;
@@ -57,8 +59,33 @@ pub fn search(
     minimise(problem, &best.at, free, best.ending, Effort::FINE)
 }
 
+/// `minimum`, or beside it, where the mass goes on to the end that `ending` says: kinetic friction may hold
+/// it before that, and is lowered then, the other parameters following.
+fn slack(
+    problem: &mut Problem,
+    minimum: &Minimum,
+    free: &[bool; 7],
+    ending: Ending,
+) -> Option<Vector> {
+    let mut held = *free;
+    held[COULOMB] = false;
+    for share in [0.0, 0.1, 0.25, 0.5, 0.75] {
+        let mut moved = Vector::zeros();
+        moved[COULOMB] = -share * minimum.at[COULOMB];
+        let right = -(minimum.normal.information * moved);
+        let mut start = minimum.at + moved + solve(&minimum.normal.information, &right, &held, 0.0)?;
+        LAWS.iter().for_each(|&law| start[law] = start[law].max(0.0));
+        let Stop::After(number) = ending.stop(&start) else { return Some(start) };
+        let course = problem.course(&start, ending, false)?;
+        if course.rest.is_none_or(|rest| rest.number >= number) {
+            return Some(start);
+        }
+    }
+    None
+}
+
 /// Steps enough to see which number is best.
-const BRIEF: Effort = Effort { steps: 8, gain: 1e-1 };
+const BRIEF: Effort = Effort { steps: 12, gain: 1e-1 };
 
 /// Where and when the mass came to rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
