@@ -20,7 +20,7 @@ use crate::reach::{Reach, reach};
 use crate::report::{FitReport, Model, Parameter};
 use crate::stop;
 use crate::window::{Edge, Found, Window, find};
-use crate::Recording;
+use crate::{Quantity, Recording};
 
 /// Fewest values that are fitted: more than there are parameters, with some to judge them by.
 const FEWEST: usize = 12;
@@ -255,6 +255,8 @@ impl Fits {
             }
             _ => vec![],
         };
+        // Where values change sides at jumps, the sum of squares has steps that a profile stumbles over.
+        let jumps = self.problem.quantity == Quantity::Acceleration && minimum.at[COULOMB] > 0.0;
         std::array::from_fn(|i| {
             let stderr = spread[(i, i)].sqrt();
             let (low, high) = interval(minimum.at[i], stderr, i, quantile);
@@ -263,6 +265,7 @@ impl Fits {
             match how {
                 _ if !free[i] => (None, None),
                 Intervals::Covariance => plain,
+                Intervals::Profile if jumps => plain,
                 Intervals::Bootstrap(_) => bootstrap::interval(&refits, i)
                     .map_or(plain, |(low, high)| (Some(low), Some(high))),
                 Intervals::Profile => {

@@ -93,25 +93,31 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
 
 /// When the free motion begins, and why then.
 fn start(times: &[f64], look: &Look) -> (f64, Edge) {
-    let swings: Vec<f64> =
-        look.extremes.windows(2).map(|w| (w[1].value - w[0].value).abs()).collect();
-    let widest = swings.iter().copied().fold(0.0, f64::max);
-    // Free swings only shrink: the decay begins with the first of the widest.
-    let first = swings.iter().position(|&swing| swing >= 0.9 * widest).unwrap_or(0);
+    let widest = widest(&look.extremes);
     let still = still_until(times, look, widest);
-    let next = look.extremes.iter().find(|extreme| extreme.time > still);
     // Half a swing around a turn stays within 2 % of the width for a sixth of it at most.
     let lay_still = still - times[0] > 0.3 * look.half;
-    match (next, first) {
-        (_, 1..) => (look.extremes[first].time + 0.1 * look.half, Edge::Driven),
-        (_, 0) if !lay_still => (times[0], Edge::Recording),
-        // From where it rests too, it was pushed: by its first turn that is over. So it looks, and no
+    let moving = look.extremes.partition_point(|extreme| lay_still && extreme.time <= still);
+    let extremes = &look.extremes[moving..];
+    // Free swings only shrink: the decay begins with the first of the widest.
+    let wide = |pair: &[Extreme]| (pair[1].value - pair[0].value).abs() >= 0.9 * widest;
+    let first = extremes.windows(2).position(wide).unwrap_or(0);
+    // A little later than an extreme, where nothing jumps.
+    let after = |extreme: &Extreme| extreme.time + 0.1 * look.half;
+    let pushed = (look.smooth[0] - middle(look, widest)).abs() < 0.25 * widest;
+    match extremes.get(first) {
+        Some(extreme) if first > 0 => (after(extreme), Edge::Driven),
+        _ if !lay_still => (times[0], Edge::Recording),
+        // From where it rests it was pushed: by its first turn that is over. So it looks, and no
         // more than a swing is lost, where a velocity or an acceleration was recorded.
-        (Some(next), _) if (look.smooth[0] - middle(look, widest)).abs() < 0.25 * widest => {
-            (next.time + 0.1 * look.half, Edge::Held)
-        }
+        Some(next) if pushed => (after(next), Edge::Held),
         _ => (still + 0.1 * look.half, Edge::Held),
     }
+}
+
+/// The widest swing between neighbouring extremes.
+fn widest(extremes: &[Extreme]) -> f64 {
+    extremes.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).fold(0.0, f64::max)
 }
 
 /// Where the recorded quantity ends up: its level at the end if it is still there, else the middle between

@@ -1,5 +1,7 @@
 //! Random recordings of known motions, made by `federpendel::Motion` and a generator of random numbers.
 
+#![allow(dead_code)] // Each test needs some of it.
+
 use std::f64::consts::PI;
 
 use federpendel::{
@@ -115,7 +117,8 @@ pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
     let factor = if random.chance(0.5) { 1.0 } else { random.between(1.0, 1.5) };
     let static_acceleration = factor * truth.coulomb_acceleration;
     let hold = if held { random.between(0.5, 3.0) * half } else { 0.0 };
-    let duration = hold + swings * half;
+    // Not whole swings, else the last value of some would lie right on a turning point.
+    let duration = hold + (swings - random.between(0.1, 0.9)) * half;
     let clock = random.between(-10.0, 10.0) * half;
     let times: Vec<f64> =
         (0..samples).map(|i| clock + duration * i as f64 / (samples - 1) as f64).collect();
