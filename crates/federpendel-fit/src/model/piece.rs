@@ -72,18 +72,23 @@ impl<const K: usize> Piece<K> {
     }
 
     /// As many coefficients of each as matter up to the distance `reach` from the centre.
+    #[inline(always)]
     pub fn rows(&self, reach: f64) -> &[[f64; K]] {
-        let (mut size, mut power) = (0.0_f64, 1.0);
-        let mut sizes = [0.0; DEGREE];
-        for (row, entry) in self.rows[..self.used].iter().zip(&mut sizes) {
-            *entry = row[0].abs() * power;
-            size = size.max(*entry);
+        let (mut sizes, mut power) = ([0.0_f64; K], 1.0);
+        for row in &self.rows[..self.used] {
+            for (size, entry) in sizes.iter_mut().zip(row) {
+                *size = size.max(entry.abs() * power);
+            }
             power *= reach;
         }
-        let (mut used, mut rest) = (self.used, 0.0);
+        let allowed = sizes.map(|size| NEGLIGIBLE * size);
+        let (mut used, mut rest) = (self.used, [0.0; K]);
         while used > 1 {
-            rest += sizes[used - 1];
-            if rest > NEGLIGIBLE * size {
+            power /= reach;
+            for (rest, entry) in rest.iter_mut().zip(&self.rows[used - 1]) {
+                *rest += entry.abs() * power;
+            }
+            if rest.iter().zip(&allowed).any(|(rest, allowed)| rest > allowed) {
                 break;
             }
             used -= 1;
