@@ -206,7 +206,7 @@ fn compare_with_itself(case: &Case, stop: Stop) -> Result<usize, TestCaseError> 
                 (case, quantity),
                 variation,
                 (jacobian.column(index), &good),
-                1e-13,
+                noise,
                 |part| {
                     let mut values = vec![0.0; SAMPLES];
                     let p = variation.apply(&p, part);

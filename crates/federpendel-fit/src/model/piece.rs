@@ -23,11 +23,20 @@ fn derivative_order(quantity: Quantity) -> usize {
     }
 }
 
-/// The coefficient of degree `n` of the derivative of order `order`, over that of degree `n` + `order`.
-#[inline(always)]
-fn differentiated(n: usize, order: usize) -> f64 {
-    (n + 1..=n + order).map(|k| k as f64).product()
-}
+/// Entry n of row q is the coefficient of degree n of the q-th derivative over that of degree n + q.
+const DIFFERENTIATED: [[f64; DEGREE + 1]; 4] = {
+    let mut table = [[1.0; DEGREE + 1]; 4];
+    let mut q = 1;
+    while q < 4 {
+        let mut n = 0;
+        while n <= DEGREE {
+            table[q][n] = table[q - 1][n] * (n + q) as f64;
+            n += 1;
+        }
+        q += 1;
+    }
+    table
+};
 
 impl<const K: usize> Piece<K> {
     /// The polynomials on `series`, which has its centre at `center` in the swing from `start`.
@@ -46,14 +55,14 @@ impl<const K: usize> Piece<K> {
         let mut rows = [[0.0; K]; DEGREE];
         let mut earlier = 0.0;
         for (n, row) in rows.iter_mut().enumerate().take(used) {
-            let factor = scale * differentiated(n, order);
+            let factor = scale * DIFFERENTIATED[order][n];
             let value = factor * series.y[n + order];
             row[0] = value;
             if K == 1 {
                 continue;
             }
             // The rate of change with τ, by which a change of ω0 or of the start of the swing acts too.
-            let rate = scale * differentiated(n, order + 1) * series.y[n + order + 1];
+            let rate = scale * DIFFERENTIATED[order + 1][n] * series.y[n + order + 1];
             let gradient = frame.chain(&series.dy[n + order]);
             for (k, entry) in row[1..].iter_mut().enumerate() {
                 *entry = factor * gradient[k] - rate * omega * start.time.gradient[k];
@@ -77,7 +86,9 @@ impl<const K: usize> Piece<K> {
         let (mut sizes, mut power) = ([0.0_f64; K], 1.0);
         for row in &self.rows[..self.used] {
             for (size, entry) in sizes.iter_mut().zip(row) {
-                *size = size.max(entry.abs() * power);
+                let entry = entry.abs() * power;
+                // Unlike `max`, this takes no care of NaN.
+                *size = if entry > *size { entry } else { *size };
             }
             power *= reach;
         }

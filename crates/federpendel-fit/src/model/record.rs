@@ -10,6 +10,8 @@ pub(super) struct Record<'a, const K: usize> {
     last: f64,
     times: &'a [f64],
     columns: [&'a mut [f64]; K],
+    /// How many samples were taken off last.
+    taken: usize,
 }
 
 /// How the times of a piece are counted: u = rate·(t − origin) − center.
@@ -24,7 +26,7 @@ pub(super) struct Clock {
 impl<'a, const K: usize> Record<'a, K> {
     pub fn new(times: &'a [f64], columns: [&'a mut [f64]; K]) -> Self {
         let (first, last) = (times.first().copied(), times.last().copied());
-        Record { first: first.unwrap_or(0.0), last: last.unwrap_or(0.0), times, columns }
+        Record { first: first.unwrap_or(0.0), last: last.unwrap_or(0.0), times, columns, taken: 0 }
     }
 
     /// The first of all times.
@@ -39,7 +41,16 @@ impl<'a, const K: usize> Record<'a, K> {
 
     /// Takes off the samples before `time` since the first.
     fn take(&mut self, time: f64) -> (&'a [f64], [&'a mut [f64]; K]) {
-        let count = self.times.partition_point(|t| t - self.first < time);
+        let earlier = |t: f64| t - self.first < time;
+        // Mostly about as many as the last time.
+        let mut count = self.taken.min(self.times.len());
+        while count < self.times.len() && earlier(self.times[count]) {
+            count += 1;
+        }
+        while count > 0 && !earlier(self.times[count - 1]) {
+            count -= 1;
+        }
+        self.taken = count;
         let (times, later) = self.times.split_at(count);
         self.times = later;
         let columns = self.columns.each_mut().map(|column| {

@@ -32,6 +32,7 @@ pub(super) fn walk<const D: usize, const K: usize>(
         start,
         record,
         course,
+        duration: std::f64::consts::PI,
         steps: 0,
     })
 }
@@ -43,6 +44,8 @@ struct Walk<'a, const D: usize, const K: usize> {
     start: Start,
     record: Record<'a, K>,
     course: Course,
+    /// How long the swing before took, ω0 t; the next takes about as long.
+    duration: f64,
     steps: usize,
 }
 
@@ -78,8 +81,8 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
         // The series about `center` serves from `from` on.
         let (mut center, mut from) = (0.0, 0.0);
         loop {
-            let series = Series::new(self.reduced.law, &state, scale);
-            let end = series.reversal();
+            let series = Series::new::<S>(self.reduced.law, &state, scale);
+            let end = series.reversal::<S>(self.duration - center);
             let step = end.unwrap_or_else(|| self.step(center, series.reach));
             // Without an end the next series takes over half way.
             let until = center + end.unwrap_or(0.5 * step);
@@ -89,8 +92,9 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
             if !self.record.reaches(self.start.time.value + until / self.reduced.omega) {
                 return Ok(None);
             }
-            state = series.state(step);
+            state = series.state::<S>(step);
             if end.is_some() {
+                self.duration = center;
                 return Ok(Some(self.start.turn(&self.reduced, &frame, center, &state)));
             }
         }
