@@ -1,11 +1,11 @@
 //! The recorded quantity and its derivatives on one piece of a swing, as polynomials.
 
 use super::series::{DEGREE, Series};
-use super::start::{Frame, Reduced, Start};
+use super::start::{Frame, OMEGA, Reduced, Start, VALUE};
 use crate::recording::Quantity;
 
-/// Polynomials in the time from the centre of a series: first the quantity, then, if `K` is more than one, its
-/// derivatives with respect to the parameters.
+/// Polynomials in the time from the centre of a series, ω0 t: those of the first `K` entries of a
+/// [`Jet`](super::start::Jet), the value and perhaps its derivatives.
 pub(super) struct Piece<const K: usize> {
     rows: [[f64; K]; DEGREE],
     used: usize,
@@ -57,25 +57,21 @@ impl<const K: usize> Piece<K> {
         for (n, row) in rows.iter_mut().enumerate().take(used) {
             let factor = scale * DIFFERENTIATED[order][n];
             let value = factor * series.y[n + order];
-            row[0] = value;
-            if K == 1 {
-                continue;
-            }
             // The rate of change with τ, by which a change of ω0 or of the start of the swing acts too.
             let rate = scale * DIFFERENTIATED[order + 1][n] * series.y[n + order + 1];
-            let gradient = frame.chain(&series.dy[n + order]);
-            for (k, entry) in row[1..].iter_mut().enumerate() {
-                *entry = factor * gradient[k] - rate * omega * start.time.gradient[k];
+            let mut jet = frame.chain(&series.dy[n + order].map(|dy| factor * dy));
+            for (entry, time) in jet.iter_mut().zip(&start.time) {
+                *entry -= rate * omega * time;
             }
             // τ = ω0 (t − start), and velocities are multiplied by ω0.
-            row[1] += (center * rate + earlier + order as f64 * value) / omega;
+            jet[OMEGA] += (center * rate + earlier + order as f64 * value) / omega;
+            jet[VALUE] = value;
+            row.copy_from_slice(&jet[..K]);
             earlier = rate;
         }
-        if order == 0 {
-            rows[0][0] += frame.side * reduced.offset.value;
-            for (k, entry) in rows[0][1..].iter_mut().enumerate() {
-                *entry += frame.side * reduced.offset.gradient[k];
-            }
+        let shift = if order == 0 { frame.side } else { 0.0 };
+        for (k, entry) in rows[0].iter_mut().enumerate() {
+            *entry += shift * reduced.offset[k] + reduced.equilibrium[k];
         }
         Piece { rows, used }
     }

@@ -19,9 +19,11 @@ const FORCE: [f64; DIRECTIONS] = [0.0, 0.0, -2.0, 0.0];
 const FORCE_SQUARED: [f64; DIRECTIONS] = [0.0, 0.0, 0.0, 1.0];
 
 /// Longest reach of one series: two of them make up a light swing.
-pub(super) const LONGEST: f64 = 1.65;
+const LONGEST: f64 = 1.6;
 /// Truncation allowed, relative to the motion.
-const TRUNCATION: f64 = 1e-13;
+const TRUNCATION: f64 = 1e-12;
+/// Derivatives may be less accurate; that to κ would need one series more in each swing.
+const COARSER: f64 = 1e-4;
 /// Below this part of the swing's size, errors of the state need not be smaller in proportion.
 const SMALL: f64 = 1e-4;
 
@@ -68,6 +70,15 @@ fn mul_add<S: Simd>(a: f64, b: f64, c: f64) -> f64 {
     if S::IS_SCALAR { a * b + c } else { a.mul_add(b, c) }
 }
 
+/// The same with many b and c.
+#[inline(always)]
+fn muls_add<S: Simd, const D: usize>(a: f64, b: &[f64; D], mut c: [f64; D]) -> [f64; D] {
+    for (c, b) in c.iter_mut().zip(b) {
+        *c = mul_add::<S>(a, *b, *c);
+    }
+    c
+}
+
 /// Coefficients of y, w and their derivatives.
 pub(super) struct Series<const D: usize> {
     pub y: [f64; DEGREE + 1],
@@ -112,9 +123,10 @@ impl<const D: usize> Series<D> {
         self.y[N + 1] = share * self.w[N];
         self.w[N + 1] = share * mul_add::<S>(law.kappa, square, -damped);
         let mut cross = [0.0; D];
-        for j in (0..=N).rev() {
-            for d in 0..D {
-                cross[d] = mul_add::<S>(self.w[j], self.dw[N - j][d], cross[d]);
+        // Multiplied by κ: without it there is no need of them.
+        if D > 0 && law.kappa > 0.0 {
+            for j in (0..=N).rev() {
+                cross = muls_add::<S, D>(self.w[j], &self.dw[N - j], cross);
             }
         }
         for d in 0..D {
@@ -136,7 +148,7 @@ impl<const D: usize> Series<D> {
             let mut largest = self.w[n].abs() / size;
             for (d, size) in sizes.iter().take(D).enumerate() {
                 let now = state.dy[d].abs().max(state.dw[d].abs()).max(*size);
-                largest = largest.max(0.1 * self.dw[n][d].abs() / now);
+                largest = largest.max(COARSER * self.dw[n][d].abs() / now);
             }
             largest
         });
@@ -202,9 +214,7 @@ fn polynomial<S: Simd>(coefficients: &[f64], x: f64) -> f64 {
 fn polynomials<S: Simd, const D: usize>(coefficients: &[[f64; D]], x: f64) -> [f64; D] {
     let mut sums = [0.0; D];
     for row in coefficients.iter().rev() {
-        for d in 0..D {
-            sums[d] = mul_add::<S>(sums[d], x, row[d]);
-        }
+        sums = muls_add::<S, D>(x, &sums, *row);
     }
     sums
 }
