@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 fn config() -> ProptestConfig {
-    ProptestConfig { rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() }
+    ProptestConfig { rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Default::default() }
 }
 
 fn values(case: &Case, stop: Stop, times: &[f64], quantity: Quantity) -> (Vec<f64>, Course) {

@@ -40,14 +40,13 @@ impl Jacobian {
         self.entries.resize(rows * Parameters::COUNT, 0.0);
     }
 
-    /// The columns of the motion, and that of the equilibrium.
-    pub(super) fn split(&mut self) -> ([&mut [f64]; Parameters::COUNT - 1], &mut [f64]) {
+    /// All columns.
+    pub(super) fn columns_mut(&mut self) -> [&mut [f64]; Parameters::COUNT] {
         let mut rest = self.entries.as_mut_slice();
-        let columns = std::array::from_fn(|_| {
+        std::array::from_fn(|_| {
             let (column, others) = std::mem::take(&mut rest).split_at_mut(self.rows);
             rest = others;
             column
-        });
-        (columns, rest)
+        })
     }
 }

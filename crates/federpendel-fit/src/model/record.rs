@@ -2,14 +2,14 @@
 
 use pulp::Simd;
 
-use crate::recording::Quantity;
-
 /// The values and, if `K` is more than one, the columns of derivatives, where they are not filled yet.
 pub(super) struct Record<'a, const K: usize> {
     first: f64,
     last: f64,
     times: &'a [f64],
     columns: [&'a mut [f64]; K],
+    /// How many samples were taken off last.
+    taken: usize,
 }
 
 /// How the times of a piece are counted: u = rate·(t − origin) − center.
@@ -24,7 +24,7 @@ pub(super) struct Clock {
 impl<'a, const K: usize> Record<'a, K> {
     pub fn new(times: &'a [f64], columns: [&'a mut [f64]; K]) -> Self {
         let (first, last) = (times.first().copied(), times.last().copied());
-        Record { first: first.unwrap_or(0.0), last: last.unwrap_or(0.0), times, columns }
+        Record { first: first.unwrap_or(0.0), last: last.unwrap_or(0.0), times, columns, taken: 0 }
     }
 
     /// The first of all times.
@@ -39,7 +39,16 @@ impl<'a, const K: usize> Record<'a, K> {
 
     /// Takes off the samples before `time` since the first.
     fn take(&mut self, time: f64) -> (&'a [f64], [&'a mut [f64]; K]) {
-        let count = self.times.partition_point(|t| t - self.first < time);
+        let earlier = |t: f64| t - self.first < time;
+        // Mostly about as many as the last time.
+        let mut count = self.taken.min(self.times.len());
+        while count < self.times.len() && earlier(self.times[count]) {
+            count += 1;
+        }
+        while count > 0 && !earlier(self.times[count - 1]) {
+            count -= 1;
+        }
+        self.taken = count;
         let (times, later) = self.times.split_at(count);
         self.times = later;
         let columns = self.columns.each_mut().map(|column| {
@@ -50,19 +59,12 @@ impl<'a, const K: usize> Record<'a, K> {
         (times, columns)
     }
 
-    /// Fills all samples before `until` with the polynomials of these coefficients and adds `equilibrium` to the values.
+    /// Fills all samples before `until` with the polynomials of these coefficients.
     #[inline(always)]
-    pub fn fill<S: Simd>(
-        &mut self,
-        simd: S,
-        until: f64,
-        clock: Clock,
-        rows: &[[f64; K]],
-        equilibrium: f64,
-    ) {
+    pub fn fill<S: Simd>(&mut self, simd: S, until: f64, clock: Clock, rows: &[[f64; K]]) {
         let (times, columns) = self.take(until);
         let first = self.first;
-        let evaluate = Evaluate { simd, first, clock, rows, equilibrium };
+        let evaluate = Evaluate { simd, first, clock, rows };
         let (blocks, rest) = S::as_simd_f64s(times);
         let outputs = columns.map(|column| S::as_mut_simd_f64s(column));
         for (i, time) in blocks.iter().enumerate() {
@@ -79,14 +81,10 @@ impl<'a, const K: usize> Record<'a, K> {
         }
     }
 
-    /// Fills all samples left with those of a mass at rest at `position`, with these derivatives.
-    pub fn rest(self, quantity: Quantity, position: f64, gradient: &[f64], equilibrium: f64) {
-        let moves = f64::from(u8::from(quantity == Quantity::Position));
-        for (k, column) in self.columns.into_iter().enumerate() {
-            column.fill(match k {
-                0 => moves * position + equilibrium,
-                _ => moves * gradient[k - 1],
-            });
+    /// Fills all samples left with these values.
+    pub fn fill_rest(self, values: &[f64]) {
+        for (column, value) in self.columns.into_iter().zip(values) {
+            column.fill(*value);
         }
     }
 }
@@ -98,13 +96,12 @@ struct Evaluate<'a, S, const K: usize> {
     first: f64,
     clock: Clock,
     rows: &'a [[f64; K]],
-    equilibrium: f64,
 }
 
 impl<S: Simd, const K: usize> Evaluate<'_, S, K> {
     #[inline(always)]
     fn at(&self, time: S::f64s) -> [S::f64s; K] {
-        let Evaluate { simd, first, clock, rows, equilibrium } = *self;
+        let Evaluate { simd, first, clock, rows } = *self;
         let since = simd.sub_f64s(time, simd.splat_f64s(first));
         let since = simd.sub_f64s(since, simd.splat_f64s(clock.origin));
         let u = simd.mul_f64s(since, simd.splat_f64s(clock.rate));
@@ -115,7 +112,6 @@ impl<S: Simd, const K: usize> Evaluate<'_, S, K> {
                 sums[k] = simd.mul_add_e_f64s(sums[k], u, simd.splat_f64s(row[k]));
             }
         }
-        sums[0] = simd.add_f64s(sums[0], simd.splat_f64s(equilibrium));
         sums
     }
 }

@@ -3,38 +3,31 @@
 use super::series::{DIRECTIONS, Law, State};
 use super::{Parameters, Stop};
 
-/// Derivatives with respect to the parameters that act on the motion, in their order; the equilibrium does not.
-pub(super) type Gradient = [f64; Parameters::COUNT - 1];
+/// A number and its derivatives with respect to the parameters, in their order.
+pub(super) type Jet = [f64; Parameters::COUNT + 1];
 
-/// Places of the parameters in a [`Gradient`].
-const OMEGA: usize = 0;
-const GAMMA: usize = 1;
-const COULOMB: usize = 2;
-const KAPPA: usize = 3;
-const POSITION: usize = 4;
-const VELOCITY: usize = 5;
+/// Places in a [`Jet`].
+pub(super) const VALUE: usize = 0;
+pub(super) const OMEGA: usize = 1;
+const GAMMA: usize = 2;
+const COULOMB: usize = 3;
+const KAPPA: usize = 4;
+const POSITION: usize = 5;
+const VELOCITY: usize = 6;
+const EQUILIBRIUM: usize = 7;
 
-/// A number and its derivatives.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Jet {
-    pub value: f64,
-    pub gradient: Gradient,
+/// The jet with these entries, all others being zero.
+fn jet<const N: usize>(entries: [(usize, f64); N]) -> Jet {
+    let mut jet = Jet::default();
+    for (place, entry) in entries {
+        jet[place] = entry;
+    }
+    jet
 }
 
-impl Jet {
-    fn parameter(value: f64, index: usize) -> Self {
-        let mut gradient = [0.0; 6];
-        gradient[index] = 1.0;
-        Jet { value, gradient }
-    }
-
-    /// `a`·self + `b`·other for numbers a and b.
-    fn combined(&self, a: f64, other: &Jet, b: f64) -> Jet {
-        Jet {
-            value: a * self.value + b * other.value,
-            gradient: std::array::from_fn(|k| a * self.gradient[k] + b * other.gradient[k]),
-        }
-    }
+/// `a`·`x` + `b`·`y` for numbers a and b.
+fn combined(a: f64, x: &Jet, b: f64, y: &Jet) -> Jet {
+    std::array::from_fn(|k| a * x[k] + b * y[k])
 }
 
 /// The release or a turning point.
@@ -55,10 +48,11 @@ pub(super) struct Start {
 pub(super) struct Reduced {
     pub omega: f64,
     pub law: Law,
-    /// Derivatives of ζ = γ/ω0.
-    zeta: Gradient,
+    /// ζ = γ/ω0.
+    zeta: Jet,
     /// f = a_c/ω0².
     pub offset: Jet,
+    pub equilibrium: Jet,
     /// Half width of the band of places where the mass stays.
     band: f64,
     /// Number of the turning point where it stays at the latest.
@@ -69,11 +63,8 @@ impl Reduced {
     pub fn new(parameters: &Parameters, stop: Stop) -> Self {
         let omega = parameters.angular_frequency;
         let zeta = parameters.damping_rate / omega;
-        let offset = parameters.coulomb_acceleration / (omega * omega);
-        let (mut zeta_gradient, mut offset_gradient) = ([0.0; 6], [0.0; 6]);
-        (zeta_gradient[OMEGA], zeta_gradient[GAMMA]) = (-zeta / omega, 1.0 / omega);
-        offset_gradient[OMEGA] = -2.0 * offset / omega;
-        offset_gradient[COULOMB] = 1.0 / (omega * omega);
+        let unit = omega * omega;
+        let offset = parameters.coulomb_acceleration / unit;
         let (held, last) = match stop {
             Stop::Natural { static_acceleration } => (static_acceleration, u64::MAX),
             Stop::After(last) => (0.0, last),
@@ -82,9 +73,10 @@ impl Reduced {
         Reduced {
             omega,
             law: Law { damping: 2.0 * zeta, kappa: parameters.newton_rate },
-            zeta: zeta_gradient,
-            offset: Jet { value: offset, gradient: offset_gradient },
-            band: offset.max(held / (omega * omega)),
+            zeta: jet([(VALUE, zeta), (OMEGA, -zeta / omega), (GAMMA, 1.0 / omega)]),
+            offset: jet([(VALUE, offset), (OMEGA, -2.0 * offset / omega), (COULOMB, 1.0 / unit)]),
+            equilibrium: jet([(VALUE, parameters.equilibrium), (EQUILIBRIUM, 1.0)]),
+            band: offset.max(held / unit),
             last,
         }
     }
@@ -93,35 +85,32 @@ impl Reduced {
 impl Start {
     pub fn release(parameters: &Parameters) -> Self {
         let omega = parameters.angular_frequency;
-        let mut w = Jet::parameter(parameters.velocity0 / omega, VELOCITY);
-        (w.gradient[OMEGA], w.gradient[VELOCITY]) = (-w.value / omega, 1.0 / omega);
+        let w = parameters.velocity0 / omega;
         Start {
             number: 0,
-            time: Jet { value: 0.0, gradient: [0.0; 6] },
-            x: Jet::parameter(parameters.position0, POSITION),
-            w,
+            time: Jet::default(),
+            x: jet([(VALUE, parameters.position0), (POSITION, 1.0)]),
+            w: jet([(VALUE, w), (OMEGA, -w / omega), (VELOCITY, 1.0 / omega)]),
         }
     }
 
     /// Whether the mass stays here.
     pub fn rests(&self, reduced: &Reduced) -> bool {
-        let turns = self.w.value == 0.0;
-        turns && (self.number >= reduced.last || self.x.value.abs() <= reduced.band)
+        let turns = self.w[VALUE] == 0.0;
+        turns && (self.number >= reduced.last || self.x[VALUE].abs() <= reduced.band)
     }
 
     /// The frame of the swing from here.
     pub fn frame(&self, reduced: &Reduced) -> Frame {
-        let way = if self.w.value == 0.0 { -self.x.value } else { self.w.value };
-        let side = -way.signum();
-        let y = self.x.combined(side, &reduced.offset, -1.0);
-        let mut law = [0.0; 6];
-        law[KAPPA] = 1.0;
-        Frame {
-            side,
-            y: y.value,
-            w: side * self.w.value,
-            inputs: [y.gradient, self.w.gradient.map(|w| side * w), reduced.zeta, law],
+        let (x, w) = (self.x[VALUE], self.w[VALUE]);
+        let side = -(if w == 0.0 { -x } else { w }).signum();
+        let y = combined(side, &self.x, -1.0, &reduced.offset);
+        let w = self.w.map(|w| side * w);
+        let mut inputs = [y, w, reduced.zeta, jet([(KAPPA, 1.0)])];
+        for input in &mut inputs {
+            input[VALUE] = 0.0;
         }
+        Frame { side, y: y[VALUE], w: w[VALUE], inputs }
     }
 
     /// The turning point that ends the swing from here, `tau` after its start.
@@ -134,19 +123,19 @@ impl Start {
     ) -> Start {
         let omega = reduced.omega;
         let mut time = self.time;
-        time.value += tau / omega;
-        time.gradient[OMEGA] -= tau / (omega * omega);
+        time[VALUE] += tau / omega;
+        time[OMEGA] -= tau / (omega * omega);
         // The reversal comes later by −dw/w′, and w′ is −y there; y does not change in that time.
-        let later = frame.chain(&end.dw);
-        for (time, dw) in time.gradient.iter_mut().zip(later) {
+        for (time, dw) in time.iter_mut().zip(frame.chain(&end.dw)) {
             *time += dw / (end.y * omega);
         }
-        let y = Jet { value: end.y, gradient: frame.chain(&end.dy) };
+        let mut y = frame.chain(&end.dy);
+        y[VALUE] = end.y;
         Start {
             number: self.number + 1,
             time,
-            x: y.combined(frame.side, &reduced.offset, frame.side),
-            w: Jet { value: 0.0, gradient: [0.0; 6] },
+            x: combined(frame.side, &y, frame.side, &reduced.offset),
+            w: Jet::default(),
         }
     }
 }
@@ -158,20 +147,21 @@ pub(super) struct Frame {
     /// Where the swing starts.
     pub y: f64,
     pub w: f64,
-    /// Derivatives of what the swing depends on: y and w at its start, ζ, κ.
-    inputs: [Gradient; DIRECTIONS],
+    /// Derivatives, without the values, of what the swing depends on: y and w at its start, ζ, κ.
+    inputs: [Jet; DIRECTIONS],
 }
 
 impl Frame {
-    /// Derivatives with respect to the parameters of what has these with respect to the inputs of the swing.
+    /// Derivatives with respect to the parameters of what has these with respect to the inputs of the swing; its value
+    /// is left to be filled in.
     #[inline(always)]
-    pub fn chain<const D: usize>(&self, directions: &[f64; D]) -> Gradient {
-        let mut gradient = [0.0; 6];
+    pub fn chain<const D: usize>(&self, directions: &[f64; D]) -> Jet {
+        let mut jet = Jet::default();
         for (direction, input) in directions.iter().zip(&self.inputs) {
-            for (sum, input) in gradient.iter_mut().zip(input) {
+            for (sum, input) in jet.iter_mut().zip(input) {
                 *sum += direction * input;
             }
         }
-        gradient
+        jet
     }
 }

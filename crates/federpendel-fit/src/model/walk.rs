@@ -6,7 +6,7 @@ use super::course::{Course, Rest, TurningPoint};
 use super::piece::Piece;
 use super::record::{Clock, Record};
 use super::series::{Series, State};
-use super::start::{Frame, Reduced, Start};
+use super::start::{Frame, Reduced, Start, VALUE};
 use super::{ModelError, Parameters, Stop};
 use crate::recording::Quantity;
 
@@ -14,7 +14,7 @@ use crate::recording::Quantity;
 const MOST_STEPS: usize = 1_000_000;
 
 /// Fills `record` with `quantity`. `D` directions of derivatives give `K` columns: none and the values alone, or 4 and
-/// the values with their six derivatives.
+/// the values with all derivatives.
 pub(super) fn walk<const D: usize, const K: usize>(
     parameters: &Parameters,
     stop: Stop,
@@ -23,15 +23,14 @@ pub(super) fn walk<const D: usize, const K: usize>(
 ) -> Result<Course, ModelError> {
     let reduced = Reduced::new(parameters, stop);
     let start = Start::release(parameters);
-    let equilibrium = parameters.equilibrium;
     let course = Course::default();
     pulp::Arch::new().dispatch(Walk::<D, K> {
         reduced,
         quantity,
-        equilibrium,
         start,
         record,
         course,
+        duration: std::f64::consts::PI,
         steps: 0,
     })
 }
@@ -39,10 +38,11 @@ pub(super) fn walk<const D: usize, const K: usize>(
 struct Walk<'a, const D: usize, const K: usize> {
     reduced: Reduced,
     quantity: Quantity,
-    equilibrium: f64,
     start: Start,
     record: Record<'a, K>,
     course: Course,
+    /// How long the swing before took, ω0 t; the next takes about as long.
+    duration: f64,
     steps: usize,
 }
 
@@ -56,7 +56,7 @@ impl<const D: usize, const K: usize> WithSimd for Walk<'_, D, K> {
                 None => return Ok(self.course),
                 Some(turn) => self.start = turn,
             }
-            let (time, position) = (self.time(&self.start), self.start.x.value);
+            let (time, position) = (self.time(&self.start), self.start.x[VALUE]);
             self.course.turning_points.push(TurningPoint { time, position });
         }
         Ok(self.rest())
@@ -66,7 +66,7 @@ impl<const D: usize, const K: usize> WithSimd for Walk<'_, D, K> {
 impl<const D: usize, const K: usize> Walk<'_, D, K> {
     /// The time of `start` on the clock of the recording.
     fn time(&self, start: &Start) -> f64 {
-        self.record.first() + start.time.value
+        self.record.first() + start.time[VALUE]
     }
 
     /// Fills the samples of the swing from `self.start`; the turning point after it, if the recording goes on up to there.
@@ -78,28 +78,23 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
         // The series about `center` serves from `from` on.
         let (mut center, mut from) = (0.0, 0.0);
         loop {
-            let series = Series::new(self.reduced.law, &state, scale);
-            let end = series.reversal();
-            let step = end.unwrap_or_else(|| self.step(center, series.reach));
+            let series = Series::new::<S>(self.reduced.law, &state, scale);
+            let end = series.reversal::<S>(self.duration - center);
+            let step = end.unwrap_or(series.reach);
             // Without an end the next series takes over half way.
             let until = center + end.unwrap_or(0.5 * step);
             self.fill(simd, &frame, (center, from, until), &series);
             (center, from) = (center + step, until);
             self.check(center, step)?;
-            if !self.record.reaches(self.start.time.value + until / self.reduced.omega) {
+            if !self.record.reaches(self.start.time[VALUE] + until / self.reduced.omega) {
                 return Ok(None);
             }
-            state = series.state(step);
+            state = series.state::<S>(step);
             if end.is_some() {
+                self.duration = center;
                 return Ok(Some(self.start.turn(&self.reduced, &frame, center, &state)));
             }
         }
-    }
-
-    /// The next step from `center` if the series reaches `reach`: half of what is left of a light swing, if that is enough.
-    fn step(&self, center: f64, reach: f64) -> f64 {
-        let left = std::f64::consts::PI - center;
-        if left > reach && left < 1.9 * reach { 0.5 * left } else { reach }
     }
 
     /// Fills the samples between two times of the swing from the series about `center`.
@@ -111,18 +106,18 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
         (center, from, until): (f64, f64, f64),
         series: &Series<D>,
     ) {
-        let origin = self.start.time.value;
+        let origin = self.start.time[VALUE];
         let clock = Clock { rate: self.reduced.omega, origin, center };
         let piece =
             Piece::<K>::new(self.quantity, &self.reduced, (&self.start, frame), center, series);
         let reach = (center - from).max(until - center);
         let until = origin + until / self.reduced.omega;
-        self.record.fill(simd, until, clock, piece.rows(reach), self.equilibrium);
+        self.record.fill(simd, until, clock, piece.rows(reach));
     }
 
     fn check(&mut self, center: f64, step: f64) -> Result<(), ModelError> {
         self.steps += 1;
-        let reached = self.start.time.value + center / self.reduced.omega;
+        let reached = self.start.time[VALUE] + center / self.reduced.omega;
         if self.steps > MOST_STEPS || step.is_nan() || step <= 0.0 {
             return Err(ModelError::TooLong { limit: MOST_STEPS, reached });
         }
@@ -131,16 +126,13 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
 
     /// Fills what is left with the rest of the mass.
     fn rest(self) -> Course {
-        let Walk { start, record, mut course, .. } = self;
-        let mut derivatives = [0.0; Parameters::COUNT];
-        derivatives[..6].copy_from_slice(&start.x.gradient);
-        course.rest = Some(Rest {
-            number: start.number,
-            time: record.first() + start.time.value,
-            position: start.x.value,
-            derivatives,
-        });
-        record.rest(self.quantity, start.x.value, &derivatives, self.equilibrium);
+        let Walk { start, record, mut course, reduced, .. } = self;
+        let [position, derivatives @ ..] = start.x;
+        let time = record.first() + start.time[VALUE];
+        course.rest = Some(Rest { number: start.number, time, position, derivatives });
+        let moves = if self.quantity == Quantity::Position { 1.0 } else { 0.0 };
+        let recorded = |k: usize| moves * start.x[k] + reduced.equilibrium[k];
+        record.fill_rest(&std::array::from_fn::<f64, K, _>(recorded));
         course
     }
 }
