@@ -1,8 +1,8 @@
 //! Text in the dialects of measuring programs.
 
-mod common;
+mod reader;
 
-use common::{fails, label, labels, read, read_with};
+use reader::{fails, label, labels, read, read_with};
 use federpendel_fit::Quantity;
 use federpendel_fit::read::{Choice, Clock, Decimal, Note, ReadError, Rows, Separator};
 

@@ -1,8 +1,8 @@
 //! Rows out of order, gaps and holes; files that are no recordings.
 
-mod common;
+mod reader;
 
-use common::{fails, read};
+use reader::{fails, read};
 use federpendel_fit::read::{Choice, Field, Found, Note, ReadError, Rows, recordings};
 
 fn rows(count: usize, first_line: usize) -> Rows {

@@ -1,0 +1,54 @@
+//! Standard errors and correlations from the curvature at the minimum.
+
+use crate::least_squares::Minimum;
+use crate::noise::Excess;
+use crate::problem::{LAWS, Matrix, Vector};
+
+/// The covariance of the `free` parameters of a fit to `count` values.
+///
+/// The variance of one value is that of the residuals, whatever the recording states; residuals that hang
+/// together count as [`crate::noise`] says. A coefficient that ended at zero counts as free: that it could not fall below makes
+/// the others no surer.
+pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Excess) -> Matrix {
+    let information = &minimum.normal.information;
+    let scale = Vector::from_fn(|i, _| information[(i, i)].sqrt());
+    let used = |i: usize| free[i] && scale[i] > 0.0;
+    let scaled = Matrix::from_fn(|i, j| match i == j {
+        true => 1.0 + 1e-13,
+        false if used(i) && used(j) => information[(i, j)] / (scale[i] * scale[j]),
+        false => 0.0,
+    });
+    let inverse = scaled.cholesky().map(|factor| factor.inverse());
+    let variance = variance(minimum, free, count);
+    Matrix::from_fn(|i, j| match &inverse {
+        Some(inverse) if used(i) && used(j) => {
+            let excess = (excess.of(i) * excess.of(j)).sqrt();
+            inverse[(i, j)] / (scale[i] * scale[j]) * variance * excess
+        }
+        // Nothing is known where the curvature vanishes.
+        None if free[i] && i == j => f64::INFINITY,
+        _ if i == j && free[i] => f64::INFINITY,
+        _ => 0.0,
+    })
+}
+
+/// The variance of one value, from the residuals.
+pub fn variance(minimum: &Minimum, free: &[bool; 7], count: usize) -> f64 {
+    let fitted = free.iter().filter(|&&free| free).count();
+    minimum.normal.cost / count.saturating_sub(fitted).max(1) as f64
+}
+
+/// The 97.5 % point of Student's t with `freedom` degrees of freedom (Abramowitz & Stegun 26.7.5).
+pub fn student(freedom: f64) -> f64 {
+    let z: f64 = 1.959964;
+    let g1 = (z.powi(3) + z) / 4.0;
+    let g2 = (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / 96.0;
+    z + g1 / freedom + g2 / (freedom * freedom)
+}
+
+/// The 95 % interval of parameter `i` from its standard error: coefficients have no part below zero.
+pub fn interval(value: f64, stderr: f64, i: usize, quantile: f64) -> (f64, f64) {
+    let low = value - quantile * stderr;
+    let low = if LAWS.contains(&i) { low.max(0.0) } else { low };
+    (low, value + quantile * stderr)
+}

@@ -1,0 +1,174 @@
+//! The extremes of a recording: where it turns, before anything is known about the motion.
+
+use nalgebra::{Matrix3, Vector3};
+
+/// A local extreme of the recorded quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// Time, s.
+    pub time: f64,
+    /// Value.
+    pub value: f64,
+}
+
+/// What a first look at a recording finds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Look {
+    /// Alternating maxima and minima that stand out of the noise; the last is where it comes to rest
+    /// if it does.
+    pub extremes: Vec<Extreme>,
+    /// The recording, smoothed over a small part of a swing.
+    pub smooth: Vec<f64>,
+    /// Half a period, s.
+    pub half: f64,
+    /// Standard deviation of what smoothing took away; of noise, where the sampling is fine.
+    pub noise: f64,
+    /// Standard deviation of the noise that smoothing left.
+    pub left: f64,
+}
+
+/// Smoothing and parabolas reach this share of half a period to either side: cos changes there by an
+/// eighth of its height, and the shape is the same at every extreme, so that amplitudes keep their ratios.
+const REACH: f64 = 0.2;
+/// A turn counts if it leads this many standard deviations of the smoothed noise away.
+const ABOVE_NOISE: f64 = 5.0;
+
+/// Looks at `values` at rising `times`; none if they never move or turn less than twice.
+pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
+    let (low, high) = bounds(values);
+    let range = high - low;
+    if range <= 0.0 {
+        return None;
+    }
+    // At first only the widest turns, which noise does not feign; then all, smoothed to their measure.
+    let wide = [0.35, 0.2].iter().map(|share| turns(values, share * range));
+    let wide = wide.into_iter().find(|found| found.len() >= 3)?;
+    let mut half = spacing(times, &wide)?;
+    let mut found = None;
+    let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
+    for _ in 0..2 {
+        // To the middle between two times: else rounding decides which of them it takes in.
+        let reach = ((REACH * half / step).floor() + 0.5) * step;
+        let smooth = smoothed(times, values, reach);
+        let (noise, left) = noise(values, &smooth, 2.0 * reach / step);
+        let mut pivots = turns(&smooth, (ABOVE_NOISE * left).max(2e-3 * range));
+        // Where a recording begins in the middle of a swing it does not turn.
+        if pivots.first().is_some_and(|&i| times[i] - times[0] < REACH * half) {
+            pivots.remove(0);
+        }
+        half = spacing(times, &pivots[..pivots.len().min(wide.len().max(8))]).unwrap_or(half);
+        found = Some((smooth, noise, left, pivots));
+    }
+    let (smooth, noise, left, pivots) = found?;
+    let extremes = pivots.iter().map(|&i| vertex(times, values, i, REACH * half)).collect();
+    Some(Look { extremes, smooth, half, noise, left })
+}
+
+/// The lowest and the highest.
+pub fn bounds(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)))
+}
+
+/// The indices between which `values` run by more than `threshold` before they turn back: alternating
+/// maxima and minima, the first and last values left out if nothing turns there.
+fn turns(values: &[f64], threshold: f64) -> Vec<usize> {
+    let mut found = Vec::new();
+    let (mut low, mut high) = (0, 0);
+    // +1 while the values rise, −1 while they fall, 0 as long as neither is clear.
+    let mut way = 0;
+    for (i, &value) in values.iter().enumerate() {
+        if value > values[high] {
+            high = i;
+        }
+        if value < values[low] {
+            low = i;
+        }
+        if way >= 0 && value < values[high] - threshold {
+            found.push(high);
+            (way, low) = (-1, i);
+        } else if way <= 0 && value > values[low] + threshold {
+            found.push(low);
+            (way, high) = (1, i);
+        }
+    }
+    // Where it ends up is a turn too if it came far enough.
+    let last = if way > 0 { high } else { low };
+    let far = found.last().is_some_and(|&i: &usize| (values[last] - values[i]).abs() > threshold);
+    if far && last + 1 < values.len() {
+        found.push(last);
+    }
+    found
+}
+
+/// The median time between neighbours.
+fn spacing(times: &[f64], indices: &[usize]) -> Option<f64> {
+    let mut gaps: Vec<f64> = indices.windows(2).map(|w| times[w[1]] - times[w[0]]).collect();
+    median(&mut gaps)
+}
+
+/// The median; none of nothing. Changes the order.
+pub fn median(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len() / 2;
+    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The mean over the times within `reach` of each time.
+fn smoothed(times: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
+    let (mut first, mut end, mut sum) = (0, 0, 0.0);
+    let mut mean = |&time: &f64| {
+        while end < times.len() && times[end] <= time + reach {
+            sum += values[end];
+            end += 1;
+        }
+        while times[first] < time - reach {
+            sum -= values[first];
+            first += 1;
+        }
+        sum / (end - first) as f64
+    };
+    times.iter().map(&mut mean).collect()
+}
+
+/// Standard deviations of the noise of the values and of what smoothing over `within` of them leaves.
+///
+/// Second differences over neighbours see the noise and little of the motion; their median sees no
+/// steps either.
+fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
+    let mut second: Vec<f64> =
+        values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
+    // 1.4826 makes a median a standard deviation; a second difference has √6 of it.
+    let fast = median(&mut second).unwrap_or(0.0) * 1.4826 / 6f64.sqrt();
+    let mut removed: Vec<f64> =
+        values.iter().zip(smooth).map(|(value, smooth)| (value - smooth).abs()).collect();
+    let slow = median(&mut removed).unwrap_or(0.0) * 1.4826;
+    let noise = fast.min(slow);
+    (noise, noise / within.sqrt())
+}
+
+/// The vertex of the parabola through the values within `reach` of index `i`, at least five of them.
+fn vertex(times: &[f64], values: &[f64], i: usize, reach: f64) -> Extreme {
+    let (mut first, mut end) = (i.saturating_sub(2), (i + 3).min(times.len()));
+    while first > 0 && times[first - 1] >= times[i] - reach {
+        first -= 1;
+    }
+    while end < times.len() && times[end] <= times[i] + reach {
+        end += 1;
+    }
+    let unit = (times[end - 1] - times[first]).max(f64::MIN_POSITIVE);
+    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for k in first..end {
+        let u = (times[k] - times[i]) / unit;
+        let row = Vector3::new(1.0, u, u * u);
+        matrix += row * row.transpose();
+        right += row * values[k];
+    }
+    let plain = Extreme { time: times[i], value: values[i] };
+    let Some(c) = matrix.cholesky().map(|factor| factor.solve(&right)) else { return plain };
+    let u = -c[1] / (2.0 * c[2]);
+    if u.is_finite() && u.abs() <= 0.5 {
+        Extreme { time: times[i] + u * unit, value: c[0] + u * (c[1] + u * c[2]) }
+    } else {
+        // Flat, as at rest: the mean level.
+        Extreme { time: times[i], value: c[0] }
+    }
+}

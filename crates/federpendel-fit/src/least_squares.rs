@@ -1,0 +1,133 @@
+//! Bounded least squares: Levenberg–Marquardt with coefficients that stay at or above zero.
+//!
+//! A page of our own, since the published crate has no bounds: seven parameters at most, so the
+//! normal equations are a small matrix, gathered in one pass over the values. Damping follows
+//! Nielsen (1999), the bounds are an active set within each step.
+
+use crate::problem::{Ending, LAWS, Matrix, Normal, OMEGA, Problem, Vector};
+
+/// Why a search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StopReason {
+    /// A further step would lower the sum of squares by less than rounding or noise can tell.
+    Converged,
+    /// No step lowered it, though the linear model expected one to: a kink or a jump is near.
+    NoProgress,
+    /// So many steps were taken that it was given up.
+    StepLimit,
+}
+
+/// The end of a search.
+#[derive(Debug, Clone, Copy)]
+pub struct Minimum {
+    /// The parameters.
+    pub at: Vector,
+    /// Sum of squares and derivatives there.
+    pub normal: Normal,
+    /// How the motion ends in it.
+    pub ending: Ending,
+    /// Why the search ended.
+    pub reason: StopReason,
+}
+
+/// How far to search.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// Steps at most.
+    pub steps: usize,
+    /// The search ends where the next step would gain less than this many variances of one value.
+    pub gain: f64,
+}
+
+impl Effort {
+    /// For a result on the way to another.
+    pub const COARSE: Effort = Effort { steps: 15, gain: 1e-2 };
+    /// For a result: parameters to a thousandth of their standard errors.
+    pub const FINE: Effort = Effort { steps: 50, gain: 1e-6 };
+}
+
+/// The step that minimises the quadratic model with `free` parameters, damped by `lambda`, such
+/// that no coefficient falls below zero.
+pub fn bounded_step(
+    normal: &Normal,
+    at: &Vector,
+    free: &[bool; 7],
+    lambda: f64,
+) -> Option<(Vector, f64)> {
+    let mut free = *free;
+    let mut step = Vector::zeros();
+    // A coefficient at zero that the slope holds there stays.
+    for i in LAWS {
+        free[i] &= at[i] > 0.0 || normal.gradient[i] > 0.0;
+    }
+    for _ in 0..=LAWS.len() {
+        let right = normal.gradient - normal.information * step;
+        let solved = solve(&normal.information, &right, &free, lambda)?;
+        let trial = Vector::from_fn(|i, _| if free[i] { solved[i] } else { step[i] });
+        let below = LAWS.iter().find(|&&i| free[i] && at[i] + trial[i] < 0.0);
+        let Some(&i) = below else {
+            let expected =
+                2.0 * normal.gradient.dot(&trial) - trial.dot(&(normal.information * trial));
+            return Some((trial, expected));
+        };
+        (free[i], step[i]) = (false, -at[i]);
+    }
+    None
+}
+
+/// Solves `matrix` x = `right` for the `free` unknowns, the diagonal raised by the share `lambda`.
+pub fn solve(matrix: &Matrix, right: &Vector, free: &[bool; 7], lambda: f64) -> Option<Vector> {
+    // Scaled to a unit diagonal, so that units do not matter to the factorisation.
+    let scale = Vector::from_fn(|i, _| matrix[(i, i)].sqrt());
+    let idle = |i: usize| !free[i] || scale[i] == 0.0;
+    let scaled = Matrix::from_fn(|i, j| match i == j {
+        true => 1.0 + lambda + 1e-13,
+        false if idle(i) || idle(j) => 0.0,
+        false => matrix[(i, j)] / (scale[i] * scale[j]),
+    });
+    let right = Vector::from_fn(|i, _| if idle(i) { 0.0 } else { right[i] / scale[i] });
+    let solved = scaled.cholesky()?.solve(&right);
+    Some(Vector::from_fn(|i, _| if idle(i) { 0.0 } else { solved[i] / scale[i] }))
+}
+
+/// The minimum of `problem` over the `free` parameters that lies downhill from `start`.
+pub fn minimise(
+    problem: &mut Problem,
+    start: &Vector,
+    free: &[bool; 7],
+    ending: Ending,
+    effort: Effort,
+) -> Option<Minimum> {
+    let mut at = *start;
+    let mut normal = problem.normal(&at, ending)?;
+    let (mut lambda, mut growth) = (1e-4, 2.0);
+    let floor = f64::EPSILON.powi(2) * problem.values.iter().map(|x| x * x).sum::<f64>();
+    let mut reason = StopReason::StepLimit;
+    for _ in 0..effort.steps {
+        let Some((step, expected)) = bounded_step(&normal, &at, free, lambda) else {
+            (lambda, growth) = (lambda * growth, growth * 2.0);
+            continue;
+        };
+        let variance = normal.cost / problem.len() as f64;
+        if expected <= effort.gain * variance * (1.0 + lambda).recip() || normal.cost <= floor {
+            reason = StopReason::Converged;
+            break;
+        }
+        let trial = at + step;
+        let sane = trial[OMEGA] > 0.5 * at[OMEGA] && trial[OMEGA] < 2.0 * at[OMEGA];
+        let tried = if sane { problem.normal(&trial, ending) } else { None };
+        match tried {
+            Some(next) if next.cost < normal.cost => {
+                let ratio = (normal.cost - next.cost) / expected;
+                lambda *= (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(0.1, 2.0);
+                (at, normal, growth) = (trial, next, 2.0);
+            }
+            _ => (lambda, growth) = (lambda * growth, growth * 2.0),
+        }
+        if lambda > 1e8 {
+            reason = StopReason::NoProgress;
+            break;
+        }
+    }
+    Some(Minimum { at, normal, ending, reason })
+}

@@ -1,0 +1,68 @@
+//! From which amplitude the mass would have to be released for two laws to be told apart.
+
+use federpendel::Mix;
+
+use crate::covariance::covariance;
+use crate::least_squares::Minimum;
+use crate::mixes::free;
+use crate::noise::Excess;
+use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
+use crate::start::{laws, mix};
+
+/// What a recording from another amplitude would tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Mixes that these amplitudes cannot tell apart.
+    pub mixes: [Mix; 2],
+    /// The amplitude of the recording, in its unit of length.
+    pub amplitude: f64,
+    /// Release from at least here, and a recording of the same length, sampling and noise would tell which; none if not even
+    /// a hundred times the amplitude did.
+    pub from: Option<f64>,
+}
+
+/// At this many standard errors a coefficient is seen at the level of the verdict nine times of ten.
+const SEEN: f64 = 3.6;
+
+/// The amplitude that tells the mix of `minimum` from `other`: where the coefficients that only the one has
+/// would stand out beside those that only the other has. `variance` is that of one value.
+pub fn reach(
+    problem: &Problem,
+    minimum: &Minimum,
+    this: Mix,
+    other: Mix,
+    excess: Excess,
+    variance: f64,
+) -> Reach {
+    let both = mix([0, 1, 2].map(|i| laws(this)[i] || laws(other)[i]));
+    let at = &minimum.at;
+    let amplitude = at[4].hypot(at[5] / at[OMEGA]);
+    let own = LAWS.iter().enumerate().filter(|(l, _)| laws(this)[*l] && !laws(other)[*l]);
+    let own: Vec<usize> = own.map(|(_, &i)| i).collect();
+    let mut probe = problem.clone();
+    let mut seen = |factor: f64| {
+        let mut scaled: Vector = *at;
+        scaled[4] *= factor;
+        scaled[5] *= factor;
+        // Noise-free values: only the derivatives count.
+        let Some(mut normal) = probe.normal(&scaled, Ending::Natural) else { return false };
+        normal.cost = variance * probe.len() as f64;
+        let there = Minimum { at: scaled, normal, ..*minimum };
+        let spread = covariance(&there, &free(both), probe.len(), excess);
+        own.iter().any(|&i| scaled[i] > SEEN * spread[(i, i)].sqrt())
+    };
+    // Doubling, then halving the gap.
+    let mut high = 1.0;
+    while high < 100.0 && !seen(high) {
+        high *= 1.5;
+    }
+    let from = seen(high).then(|| {
+        let mut low: f64 = high / 1.5;
+        for _ in 0..4 {
+            let middle = (low * high).sqrt();
+            if seen(middle) { high = middle } else { low = middle }
+        }
+        high * amplitude
+    });
+    Reach { mixes: [this, other], amplitude, from }
+}
