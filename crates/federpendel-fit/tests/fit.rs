@@ -1,6 +1,6 @@
 //! Fits to known motions: what is easy to get wrong.
 
-use federpendel::{Mix, Mode};
+use federpendel::Mix;
 use federpendel_fit::{
     Bootstrap, Edge, Fault, FitError, Intervals, Loss, Options, Parameters, Quantity, Recording,
     Standing, fit,
@@ -66,9 +66,10 @@ fn strong_damping_needs_no_turning_points() {
         let report = fit(&recording, &Options::default()).expect("fits");
         let stokes = report.model(STOKES).expect("all mixes are fitted");
         assert!(stokes.rms < 0.0112, "{ratio}: {}", stokes.rms);
-        let (low, high) = stokes.parameter("damping_rate").expect("it is fitted").interval95;
-        let holds = low.is_none_or(|l| l <= p.damping_rate) && high.is_none_or(|h| h >= p.damping_rate);
-        assert!(holds, "{ratio}: {low:?} {high:?}");
+        let rate = stokes.parameter("damping_rate").expect("it is fitted");
+        let (value, stderr) = rate.value.zip(rate.stderr).expect("both are known");
+        assert!((value - p.damping_rate).abs() < 4.0 * stderr, "{ratio}: {value} ± {stderr}");
+        assert!(stderr < 0.2 * p.damping_rate, "{ratio}: {value} ± {stderr}");
         assert!(report.adequacy.adequate, "{ratio}: {:?}", report.adequacy);
     }
 }
@@ -171,7 +172,9 @@ fn what_few_swings_cannot_tell_a_wider_release_can() {
     assert!(from > 1.05 * reach.amplitude, "{reach:?}");
     // Released from there, with some room for chance, the recording does tell.
     let wide = Parameters { position0: 1.5 * from, ..p };
-    let report = fit(&recorded(&wide, even(4.0, 400), 0.002, 2), &Options::default()).expect("fits");
+    let longer = 4.0 + (wide.position0 / p.position0).ln() / p.damping_rate;
+    let times = even(longer, (100.0 * longer) as usize);
+    let report = fit(&recorded(&wide, times, 0.002, 2), &Options::default()).expect("fits");
     let left = report.verdict.alternatives.iter().chain([&report.verdict.mix]);
     let told = left.filter(|mix| reach.mixes.contains(mix)).count();
     assert!(told <= 1, "{:?}", report.verdict);
@@ -183,10 +186,8 @@ fn the_rest_brackets_static_friction() {
     let (mut holds, mut of) = (0, 0);
     while of < 30 {
         let known = known(&mut random, 0.0).expect("in range");
-        let motion = motion(&known.truth, known.static_acceleration).expect("in range");
-        let still = motion.at(1e6 / known.truth.angular_frequency).is_ok_and(|s| s.mode == Mode::Stuck);
         let position = known.recording.quantity == Quantity::Position;
-        if known.rests.is_none_or(|turns| turns < 2) || !still || !position {
+        if known.rests.is_none_or(|turns| turns < 2) || !position {
             continue;
         }
         let report = fit(&known.recording, &Options::default()).expect("fits");
