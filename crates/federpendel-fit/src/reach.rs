@@ -54,7 +54,7 @@ pub fn reach(
     let own = LAWS.iter().enumerate().filter(|(l, _)| laws(this)[*l] && !laws(other)[*l]);
     let own: Vec<usize> = own.map(|(_, &i)| i).collect();
     let span = problem.times[problem.len() - 1] - problem.times[0];
-    let mut seen = |factor: f64| {
+    let seen = |factor: f64| {
         let mut scaled: Vector = *at;
         scaled[4] *= factor;
         scaled[5] *= factor;
