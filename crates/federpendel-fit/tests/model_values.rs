@@ -158,6 +158,27 @@ fn a_release_within_the_band_stays() {
     assert_eq!(rest.derivatives, [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
 }
 
+/// Thousands of swings and uneven times, some of them equal.
+#[test]
+fn long_recordings_stay_accurate() {
+    let mut case = ordinary();
+    case.parameters =
+        Parameters { damping_rate: 1e-4, coulomb_acceleration: 0.0, ..case.parameters };
+    case.held = 0.0;
+    case.length = 3000.0 * std::f64::consts::PI;
+    for newton_rate in [0.0, 0.3] {
+        case.parameters.newton_rate = newton_rate;
+        let mut times = case.times(1e3, 20_000);
+        (times[77], times[500]) = (times[76], times[499]);
+        for quantity in QUANTITIES {
+            let (found, course) = values(&case, case.stop(), &times, quantity);
+            let expected = recorded(&case.parameters, 0.0, &times, quantity);
+            assert!(farthest(&found, &expected) <= 1e-9 * case.size(quantity));
+            assert!(course.turning_points.len() >= 2998);
+        }
+    }
+}
+
 #[test]
 fn what_is_refused_is_named() {
     let case = ordinary();
@@ -181,5 +202,7 @@ fn what_is_refused_is_named() {
     assert_eq!(refused(p, &[0.0], 2), ModelError::Length { times: 1, values: 2 });
     let fast = Parameters { angular_frequency: 1e12, ..p };
     assert!(matches!(refused(fast, &[0.0, 1.0], 2), ModelError::TooLong { .. }));
+    let strong = Parameters { newton_rate: 1e300, ..p };
+    assert_eq!(refused(strong, &[0.0, 1.0], 2), ModelError::Overflow);
     assert_eq!(values(&case, case.stop(), &[], Quantity::Position).0, []);
 }

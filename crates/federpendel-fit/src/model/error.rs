@@ -30,13 +30,16 @@ pub enum ModelError {
         values: usize,
     },
     /// The recording holds more of the motion than can be followed.
-    #[error("the motion takes more than {limit} steps; it was followed up to {reached} s")]
+    #[error("the motion takes more than {limit} steps; it was followed up to {reached:e} s")]
     TooLong {
         /// Most steps of series that are made.
         limit: usize,
         /// Time since the first sample, s.
         reached: f64,
     },
+    /// The parameters are so large or so small, one beside the other, that what follows from them is not finite.
+    #[error("the motion cannot be computed: numbers on the way are not finite")]
+    Overflow,
 }
 
 const FINITE: &str = "finite";

@@ -30,8 +30,8 @@ use record::Record;
 /// stops. The times of the reversals move with the parameters. For a coefficient of zero they are
 /// the derivatives to the right, for a release without velocity those of the swing towards the centre.
 ///
-/// Errors of positions are below 1e-11 of the amplitude, those of accelerations below 1e-9 of the largest; derivatives are
-/// good to 1e-8.
+/// Measured on random motions, errors of positions stay below 1e-11 of the amplitude, those of accelerations below 1e-9 of
+/// the largest. Derivatives are good to 1e-8; of accelerations with strong damping, to (1 + γ/ω0)² times that.
 ///
 /// # Errors
 /// [`ModelError`] for parameters or times out of range, for `values` of another length than `times`, and if the motion

@@ -8,7 +8,7 @@
 use pulp::Simd;
 
 /// Degree of the series of y.
-pub(super) const DEGREE: usize = 20;
+pub(super) const DEGREE: usize = 22;
 
 /// The directions of the derivatives: y and w at the start of the swing, ζ, κ. Those of them that are asked for, `D`, are
 /// all or none.
@@ -23,7 +23,7 @@ const LONGEST: f64 = 1.6;
 /// Truncation allowed, relative to the motion.
 const TRUNCATION: f64 = 1e-12;
 /// Derivatives may be less accurate; that to κ would need one series more in each swing.
-const COARSER: f64 = 1e-4;
+const COARSER: f64 = 0.001;
 /// Below this part of the swing's size, errors of the state need not be smaller in proportion.
 const SMALL: f64 = 1e-4;
 
@@ -102,7 +102,7 @@ impl<const D: usize> Series<D> {
         };
         (series.y[0], series.w[0]) = (state.y, state.w);
         (series.dy[0], series.dw[0]) = (state.dy, state.dw);
-        orders!(series, S, law: 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
+        orders!(series, S, law: 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20);
         series.y[DEGREE] = series.w[DEGREE - 1] / DEGREE as f64;
         series.dy[DEGREE] = series.dw[DEGREE - 1].map(|w| w / DEGREE as f64);
         series.reach = series.reach(state, scale);
@@ -193,7 +193,7 @@ impl<const D: usize> Series<D> {
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             // Each step squares the error.
             if (newton - tau).abs() <= 1e-7 * tau || next == low || next == high {
-                return Some(newton);
+                return Some(newton.max(0.0));
             }
             tau = next;
         }

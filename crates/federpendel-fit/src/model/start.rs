@@ -94,7 +94,8 @@ impl Start {
         }
     }
 
-    /// Whether the mass stays here.
+    /// Whether the mass stays here. Unlike the core crate this knows no ties: which side of the edge of the band rounding
+    /// takes is within the noise of a recording.
     pub fn rests(&self, reduced: &Reduced) -> bool {
         let turns = self.w[VALUE] == 0.0;
         turns && (self.number >= reduced.last || self.x[VALUE].abs() <= reduced.band)

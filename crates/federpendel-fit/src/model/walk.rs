@@ -11,7 +11,7 @@ use super::{ModelError, Parameters, Stop};
 use crate::recording::Quantity;
 
 /// Series that are made before a motion is given up.
-const MOST_STEPS: usize = 1_000_000;
+const MOST_STEPS: usize = 200_000;
 
 /// Fills `record` with `quantity`. `D` directions of derivatives give `K` columns: none and the values alone, or 4 and
 /// the values with all derivatives.
@@ -85,7 +85,7 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
             let until = center + end.unwrap_or(0.5 * step);
             self.fill(simd, &frame, (center, from, until), &series);
             (center, from) = (center + step, until);
-            self.check(center, step)?;
+            self.check(center)?;
             if !self.record.reaches(self.start.time[VALUE] + until / self.reduced.omega) {
                 return Ok(None);
             }
@@ -115,10 +115,14 @@ impl<const D: usize, const K: usize> Walk<'_, D, K> {
         self.record.fill(simd, until, clock, piece.rows(reach));
     }
 
-    fn check(&mut self, center: f64, step: f64) -> Result<(), ModelError> {
+    /// Counts a step, which led to `center`.
+    fn check(&mut self, center: f64) -> Result<(), ModelError> {
         self.steps += 1;
         let reached = self.start.time[VALUE] + center / self.reduced.omega;
-        if self.steps > MOST_STEPS || step.is_nan() || step <= 0.0 {
+        if !reached.is_finite() {
+            return Err(ModelError::Overflow);
+        }
+        if self.steps > MOST_STEPS {
             return Err(ModelError::TooLong { limit: MOST_STEPS, reached });
         }
         Ok(())
