@@ -110,7 +110,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             if full[law] >= 5.0 {
                 named.count(says);
                 if !says {
-                    println!("{i}: law {law} ({:.1}) missed: {}", full[law], describe(&known, &report));
+                    println!(
+                        "{i}: law {law} ({:.1}) missed: {}",
+                        full[law],
+                        describe(&known, &report)
+                    );
                 }
             }
             if own[law] >= 5.0 {
@@ -137,7 +141,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{quantity:<12}: ms per fit, mean {mean:.0}");
     }
     let mean = seconds.iter().sum::<f64>() / seconds.len() as f64 * 1e3;
-    println!("ms per fit: mean {mean:.0}, median {:.0}, 90 % {:.0}, longest {:.0}", at(0.5), at(0.9), at(1.0));
+    println!(
+        "ms per fit: mean {mean:.0}, median {:.0}, 90 % {:.0}, longest {:.0}",
+        at(0.5),
+        at(0.9),
+        at(1.0)
+    );
     Ok(())
 }
 
@@ -205,15 +214,14 @@ fn resolution(known: &Known, mix: Mix) -> [f64; 3] {
     let column = |i: usize| jacobian.column(used[i]);
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     let scale: Vec<f64> = (0..n).map(|i| dot(column(i), column(i)).sqrt()).collect();
-    let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| {
-        dot(column(i), column(j)) / (scale[i] * scale[j])
-    });
+    let matrix =
+        nalgebra::DMatrix::from_fn(n, n, |i, j| dot(column(i), column(j)) / (scale[i] * scale[j]));
     let Some(inverse) = matrix.cholesky().map(|factor| factor.inverse()) else { return [0.0; 3] };
     let truth = known.truth.to_array();
     std::array::from_fn(|law| {
-        used.iter().position(|&i| i == law + 1).map_or(0.0, |i| {
-            truth[law + 1] * scale[i] / (inverse[(i, i)].sqrt() * known.sigma)
-        })
+        used.iter()
+            .position(|&i| i == law + 1)
+            .map_or(0.0, |i| truth[law + 1] * scale[i] / (inverse[(i, i)].sqrt() * known.sigma))
     })
 }
 

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::Quantity;
 use crate::least_squares::Minimum;
-use crate::noise::excess;
+use crate::noise::{Excess, excess};
 use crate::problem::{LAWS, OMEGA, Problem, Vector};
 
 /// What is wrong with the model.
@@ -110,21 +110,19 @@ fn prefer_amplitude(findings: &mut Vec<Finding>) {
     if let (Some(drift), Some(amplitude)) = (drift, amplitude) {
         // One column that does half of what four do is the simpler reason.
         let amplitude_says_it = amplitude > 0.5 * drift;
-        findings.retain(|f| if amplitude_says_it { f.fault != Fault::PeriodDrift } else { !soft(f) });
+        findings
+            .retain(|f| if amplitude_says_it { f.fault != Fault::PeriodDrift } else { !soft(f) });
     }
 }
 
-/// The residuals at `minimum`, and what a drift of the period leaves of them.
-pub fn steady(
-    problem: &mut Problem,
-    minimum: &Minimum,
-    free: &[bool; 7],
-) -> Option<(Vec<f64>, Vec<f64>)> {
+/// The noise of the residuals at `minimum`, with that of a drifting period told apart.
+pub fn noise(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> Option<Excess> {
     let patterns = Patterns::new(problem, minimum, free)?;
     let mut columns = patterns.along(&patterns.slope, 4);
     columns.extend(patterns.softening());
     let left = patterns.explain(&columns.iter().collect::<Vec<_>>())?.left;
-    Some((patterns.residuals, left))
+    let omega = minimum.at[OMEGA];
+    Some(Excess::new(&patterns.residuals, &left, columns.len(), problem.step(), omega))
 }
 
 fn square(values: &[f64]) -> f64 {
@@ -254,7 +252,8 @@ impl Patterns {
             Fault::Softening if weights[0] < 0.0 => (Fault::Softening, -weights[0]),
             Fault::Softening => (Fault::Hardening, weights[0]),
             Fault::Losses => {
-                let worst = self.unit_times.iter().map(|&u| polynomial(u).abs()).fold(0.0, f64::max);
+                let worst =
+                    self.unit_times.iter().map(|&u| polynomial(u).abs()).fold(0.0, f64::max);
                 (fault, worst)
             }
             _ => (fault, size),

@@ -19,7 +19,7 @@ pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Exc
         false => 0.0,
     });
     let inverse = scaled.cholesky().map(|factor| factor.inverse());
-    let variance = variance(minimum, free, count);
+    let variance = variance(minimum, free, count, excess);
     Matrix::from_fn(|i, j| match &inverse {
         Some(inverse) if used(i) && used(j) => {
             let excess = (excess.of(i) * excess.of(j)).sqrt();
@@ -32,10 +32,12 @@ pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Exc
     })
 }
 
-/// The variance of one value, from the residuals.
-pub fn variance(minimum: &Minimum, free: &[bool; 7], count: usize) -> f64 {
-    let fitted = free.iter().filter(|&&free| free).count();
-    minimum.normal.cost / count.saturating_sub(fitted).max(1) as f64
+/// The variance of one value, from the residuals. The parameters take from noise that hangs together as
+/// much as from so many fewer independent values.
+pub fn variance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Excess) -> f64 {
+    let fitted = free.iter().filter(|&&free| free).count() as f64;
+    let count = count as f64;
+    minimum.normal.cost / (count - fitted * excess.of_amplitude).max(0.2 * count)
 }
 
 /// The 97.5 % point of Student's t with `freedom` degrees of freedom (Abramowitz & Stegun 26.7.5).

@@ -30,11 +30,12 @@ pub struct Look {
 /// Smoothing and parabolas reach this share of half a period to either side: cos changes there by an
 /// eighth of its height, and the shape is the same at every extreme, so that amplitudes keep their ratios.
 const REACH: f64 = 0.2;
-/// A turn counts if it leads this many standard deviations of the smoothed noise away.
-const ABOVE_NOISE: f64 = 5.0;
+/// A value this many standard deviations of the noise off its neighbours is an outlier to a first look.
+const OUTLIER: f64 = 8.0;
 
 /// Looks at `values` at rising `times`; none if they never move or turn less than twice.
 pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
+    let values = &without_outliers(values);
     let (low, high) = bounds(values);
     let range = high - low;
     if range <= 0.0 {
@@ -51,7 +52,10 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
         let reach = ((REACH * half / step).floor() + 0.5) * step;
         let smooth = smoothed(times, values, reach);
         let (noise, left) = noise(values, &smooth, 2.0 * reach / step);
-        let mut pivots = turns(&smooth, (ABOVE_NOISE * left).max(2e-3 * range));
+        // Beyond what the noise of so many smoothed values spans.
+        let count = (values.len() as f64 * step / reach).max(3.0);
+        let above = (2.0 * (2.0 * count.ln()).sqrt() + 1.0) * left;
+        let mut pivots = turns(&smooth, above.max(2e-3 * range));
         // Where a recording begins in the middle of a swing it does not turn.
         if pivots.first().is_some_and(|&i| times[i] - times[0] < REACH * half) {
             pivots.remove(0);
@@ -62,6 +66,29 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     let (smooth, noise, left, pivots) = found?;
     let extremes = pivots.iter().map(|&i| vertex(times, values, i, REACH * half)).collect();
     Some(Look { extremes, smooth, half, noise, left })
+}
+
+/// The standard deviation of the noise, as second differences over neighbours show it; an upper bound where the
+/// sampling is coarse. Their median sees no steps and no outliers.
+fn fast_noise(values: &[f64]) -> f64 {
+    let mut second: Vec<f64> =
+        values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
+    // 1.4826 makes a median a standard deviation; a second difference has √6 of it.
+    median(&mut second).unwrap_or(0.0) * 1.4826 / 6f64.sqrt()
+}
+
+/// The values, with those that stand far off the median of five neighbours replaced by it.
+fn without_outliers(values: &[f64]) -> Vec<f64> {
+    let limit = OUTLIER * fast_noise(values);
+    let mut clean = values.to_vec();
+    for (i, around) in values.windows(5).enumerate() {
+        let mut five = [around[0], around[1], around[2], around[3], around[4]];
+        let middle = median(&mut five).unwrap_or(around[2]);
+        if limit > 0.0 && (around[2] - middle).abs() > limit {
+            clean[i + 2] = middle;
+        }
+    }
+    clean
 }
 
 /// The lowest and the highest.
@@ -130,19 +157,12 @@ fn smoothed(times: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
 }
 
 /// Standard deviations of the noise of the values and of what smoothing over `within` of them leaves.
-///
-/// Second differences over neighbours see the noise and little of the motion; their median sees no
-/// steps either.
 fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
-    let mut second: Vec<f64> =
-        values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
-    // 1.4826 makes a median a standard deviation; a second difference has √6 of it.
-    let fast = median(&mut second).unwrap_or(0.0) * 1.4826 / 6f64.sqrt();
     let mut removed: Vec<f64> =
         values.iter().zip(smooth).map(|(value, smooth)| (value - smooth).abs()).collect();
     let slow = median(&mut removed).unwrap_or(0.0) * 1.4826;
-    let noise = fast.min(slow);
-    (noise, noise / within.sqrt())
+    let noise = fast_noise(values).min(slow);
+    (noise, noise / within.max(1.0).sqrt())
 }
 
 /// The vertex of the parabola through the values within `reach` of index `i`, at least five of them.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use federpendel::Mix;
 
-use crate::adequacy::{adequacy, steady};
+use crate::adequacy::{adequacy, noise};
 use crate::bootstrap;
 use crate::covariance::{covariance, interval, student, variance};
 use crate::error::FitError;
@@ -38,11 +38,9 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
         let Some(first) = fits.misfit(&found.window, options) else { break };
         let Window { end, ends, .. } = found.window;
         found.window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
-        found.look = crate::extremes::look(
-            &recording.times[first..end],
-            &recording.values[first..end],
-        )
-        .or(found.look);
+        found.look =
+            crate::extremes::look(&recording.times[first..end], &recording.values[first..end])
+                .or(found.look);
         fits = Fits::new(recording, &found, options)?;
     }
     fits.report(recording, found.window, options)
@@ -65,7 +63,11 @@ fn check(recording: &Recording, options: &Options) -> Result<(), FitError> {
     if let Some(sigma) = options.sigma
         && !(sigma.is_finite() && sigma > 0.0)
     {
-        return Err(FitError::Option { name: "sigma", value: sigma, allowed: "finite and above zero" });
+        return Err(FitError::Option {
+            name: "sigma",
+            value: sigma,
+            allowed: "finite and above zero",
+        });
     }
     for (name, value) in [("from", options.from), ("to", options.to)] {
         if let Some(value) = value
@@ -109,12 +111,11 @@ impl Fits {
         if options.loss != Loss::Squares {
             fitted = robust(&mut problem, &fitted, options.loss);
         }
-        let best = fitted.iter().min_by(|a, b| a.minimum.normal.cost.total_cmp(&b.minimum.normal.cost));
+        let best =
+            fitted.iter().min_by(|a, b| a.minimum.normal.cost.total_cmp(&b.minimum.normal.cost));
         let best = *best.ok_or(none.clone())?;
-        let steady = steady(&mut problem, &best.minimum, &free(best.mix));
-        let (residuals, steady) = steady.ok_or(none)?;
-        let excess = Excess::new(&residuals, &steady, problem.step(), best.minimum.at[OMEGA]);
-        let effective = residuals.len() as f64 / excess.of_amplitude;
+        let excess = noise(&mut problem, &best.minimum, &free(best.mix)).ok_or(none)?;
+        let effective = problem.len() as f64 / excess.of_amplitude;
         Ok(Self { problem, fitted, excess, effective })
     }
 
@@ -133,7 +134,8 @@ impl Fits {
         let residuals = self.problem.residuals(&at, ending)?;
         let begin = self.problem.times[0];
         let half = PI / at[OMEGA];
-        let index = |swings: f64| self.problem.times.partition_point(|&t| t <= begin + swings * half);
+        let index =
+            |swings: f64| self.problem.times.partition_point(|&t| t <= begin + swings * half);
         let rms = |from: usize, to: usize| {
             let part = &residuals[from..to];
             (part.iter().map(|r| r * r).sum::<f64>() / part.len().max(1) as f64).sqrt()
@@ -165,7 +167,8 @@ impl Fits {
         let find = |mix: Mix| self.fitted.iter().find(|f| f.mix == mix).copied();
         let best = find(verdict.mix).ok_or(none.clone())?;
         let free_here = free(best.mix);
-        let adequacy = adequacy(&mut self.problem, &best.minimum, &free_here).ok_or(none.clone())?;
+        let adequacy =
+            adequacy(&mut self.problem, &best.minimum, &free_here).ok_or(none.clone())?;
         let reaches = self.reaches(&verdict.alternatives, &best);
         let residuals =
             self.problem.residuals(&best.minimum.at, best.minimum.ending).ok_or(none)?;
@@ -193,7 +196,8 @@ impl Fits {
     }
 
     fn reaches(&self, alternatives: &[Mix], best: &Fitted) -> Vec<Reach> {
-        let variance = variance(&best.minimum, &free(best.mix), self.problem.len());
+        let count = self.problem.len();
+        let variance = variance(&best.minimum, &free(best.mix), count, self.excess);
         let each = |&other: &Mix| {
             reach(&self.problem, &best.minimum, best.mix, other, self.excess, variance)
         };
@@ -209,11 +213,8 @@ impl Fits {
         let found = self.intervals(minimum, &free, &spread, intervals);
         let mut parameters: Vec<Parameter> =
             used.iter().map(|&i| parameter(i, &minimum.at, &spread, found[i])).collect();
-        let rest = if minimum.at[COULOMB] > 0.0 {
-            stop::rest(&mut self.problem, minimum)
-        } else {
-            None
-        };
+        let rest =
+            if minimum.at[COULOMB] > 0.0 { stop::rest(&mut self.problem, minimum) } else { None };
         parameters.extend(rest.map(|rest| Parameter {
             name: "static_acceleration",
             value: None,
@@ -246,11 +247,12 @@ impl Fits {
     ) -> [(Option<f64>, Option<f64>); 7] {
         let fitted = free.iter().filter(|&&free| free).count() as f64;
         let quantile = student((self.effective - fitted).max(3.0));
-        let variance = variance(minimum, free, self.problem.len());
+        let variance = variance(minimum, free, self.problem.len(), self.excess);
         let refits = match how {
             Intervals::Bootstrap(bootstrap) => {
                 let step = (self.problem.times[1] - self.problem.times[0]).max(f64::MIN_POSITIVE);
-                let block = if self.excess.of_phase > 1.0 { PI / minimum.at[OMEGA] / step } else { 1.0 };
+                let block =
+                    if self.excess.of_phase > 1.0 { PI / minimum.at[OMEGA] / step } else { 1.0 };
                 bootstrap::refits(&self.problem, minimum, free, block as usize, bootstrap)
             }
             _ => vec![],

@@ -28,7 +28,8 @@ pub fn settle(
     let steeper: &[f64] = if thoroughly { &[3.0, 1.0, 0.3, 0.1, 0.03, 0.01] } else { &[] };
     for share in steeper {
         problem.spread = Some(share * spread);
-        at = minimise(problem, &at, free, minimum.ending, Effort::COARSE).map_or(at, |found| found.at);
+        at = minimise(problem, &at, free, minimum.ending, Effort::COARSE)
+            .map_or(at, |found| found.at);
         let found = hard(problem, &at, BRIEF);
         best = match (best, found) {
             (Some(best), Some(found)) if found.normal.cost < best.normal.cost => Some(found),
@@ -54,12 +55,7 @@ pub struct Change {
 
 /// The values within `half` seconds of a jump, with the jump spread evenly over that time to both sides.
 /// Leaves the model and derivatives of the problem at `p`.
-pub fn spread(
-    problem: &mut Problem,
-    p: &Vector,
-    ending: Ending,
-    half: f64,
-) -> Option<Vec<Change>> {
+pub fn spread(problem: &mut Problem, p: &Vector, ending: Ending, half: f64) -> Option<Vec<Change>> {
     // v = 0 at the jump: with the parameters it moves by −(∂v/∂θ)/a.
     let quantity = std::mem::replace(&mut problem.quantity, Quantity::Velocity);
     let course = problem.course(p, ending, true);

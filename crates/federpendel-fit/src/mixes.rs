@@ -2,10 +2,10 @@
 
 use federpendel::Mix;
 
+use crate::Quantity;
 use crate::extremes::Look;
 use crate::growing::grow;
 use crate::least_squares::{Effort, Minimum, minimise, solve};
-use crate::Quantity;
 use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
 use crate::{jumps, start, stop};
 
@@ -197,7 +197,8 @@ fn nearest(
 fn without(minimum: &Minimum, free: &[bool; 7]) -> Option<Vector> {
     let mut gone = Vector::zeros();
     LAWS.iter().filter(|&&i| !free[i]).for_each(|&i| gone[i] = -minimum.at[i]);
-    let moved = solve(&minimum.normal.information, &-(minimum.normal.information * gone), free, 0.0)?;
+    let moved =
+        solve(&minimum.normal.information, &-(minimum.normal.information * gone), free, 0.0)?;
     let mut at = minimum.at + gone + moved;
     LAWS.iter().for_each(|&i| at[i] = at[i].max(0.0));
     let sane = (0.7..1.4).contains(&(at[OMEGA] / minimum.at[OMEGA]));

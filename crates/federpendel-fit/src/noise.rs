@@ -32,18 +32,25 @@ impl Excess {
         }
     }
 
-    /// From residuals, and from the same with a drift of the period taken away.
-    pub fn new(residuals: &[f64], steady: &[f64], step: f64, omega: f64) -> Self {
+    /// From residuals, and from the same with `patterns` patterns of a drift of the period taken away.
+    pub fn new(residuals: &[f64], steady: &[f64], patterns: usize, step: f64, omega: f64) -> Self {
         let mean = |r: &[f64]| r.iter().map(|r| r * r).sum::<f64>() / r.len() as f64;
         let (all, left) = (mean(residuals), mean(steady));
-        let share = if all > 0.0 { left / all } else { 1.0 };
+        let of_phase = excess(residuals, step, omega, omega);
+        let of_steady = excess(steady, step, omega, omega);
+        // Patterns take something from any noise; a drift is what takes far more.
+        let taken = (all - left) * residuals.len() as f64 / patterns as f64;
+        let drifts = taken > DRIFT * left * of_steady;
         Self {
-            of_phase: excess(residuals, step, omega, omega),
-            of_amplitude: excess(steady, step, omega, omega) * share,
+            of_phase,
+            of_amplitude: if drifts { of_steady * left / all } else { of_phase },
             of_zero: excess(residuals, step, omega, 0.0),
         }
     }
 }
+
+/// A period drifts if its patterns take so many times what they take from noise.
+const DRIFT: f64 = 6.0;
 
 /// The highest order tried.
 const ORDER: usize = 12;
@@ -88,9 +95,8 @@ impl Autoregression {
 /// Levinson's recursion up to `highest`; the order with the lowest BIC.
 fn autoregression(values: &[f64], highest: usize) -> Autoregression {
     let n = values.len() as f64;
-    let covariance = |lag: usize| {
-        values.iter().zip(&values[lag..]).map(|(a, b)| a * b).sum::<f64>() / n
-    };
+    let covariance =
+        |lag: usize| values.iter().zip(&values[lag..]).map(|(a, b)| a * b).sum::<f64>() / n;
     let mut variance = covariance(0);
     let mut a: Vec<f64> = Vec::new();
     let mut best = (n * variance.ln(), Autoregression { coefficients: vec![], variance });

@@ -73,9 +73,8 @@ pub fn verdict(candidates: &[Candidate], effective: f64) -> Option<Verdict> {
         against.into_iter().any(|large| p_value(small, large, effective) < LEVEL)
     };
     let left: Vec<&Candidate> = candidates.iter().filter(|c| !rejected(c)).collect();
-    let simplest = |c: &&Candidate| {
-        !left.iter().any(|other| other.mix != c.mix && within(other.mix, c.mix))
-    };
+    let simplest =
+        |c: &&Candidate| !left.iter().any(|other| other.mix != c.mix && within(other.mix, c.mix));
     let mut minimal: Vec<&Candidate> = left.iter().copied().filter(simplest).collect();
     minimal.sort_by(|a, b| size(a.mix).cmp(&size(b.mix)).then(a.cost.total_cmp(&b.cost)));
     let best = minimal.first()?;
@@ -143,8 +142,16 @@ fn tails(x: f64) -> [f64; 3] {
 /// The complementary error function for x ≥ 0, to 1.2e-7 of itself (Press et al., Numerical Recipes, 6.2).
 fn erfc(x: f64) -> f64 {
     const C: [f64; 10] = [
-        -1.26551223, 1.00002368, 0.37409196, 0.09678418, -0.18628806, 0.27886807, -1.13520398,
-        1.48851587, -0.82215223, 0.17087277,
+        -1.26551223,
+        1.00002368,
+        0.37409196,
+        0.09678418,
+        -0.18628806,
+        0.27886807,
+        -1.13520398,
+        1.48851587,
+        -0.82215223,
+        0.17087277,
     ];
     let t = 1.0 / (1.0 + 0.5 * x);
     t * (-x * x + C.iter().rev().fold(0.0, |sum, c| sum * t + c)).exp()
@@ -157,7 +164,9 @@ mod tests {
     #[test]
     fn tails_are_those_of_tables() {
         // Abramowitz & Stegun, table 26.8: 5 % and 1 % points.
-        for (x, i, p) in [(3.84146, 0, 0.05), (6.63490, 0, 0.01), (9.21034, 1, 0.01), (11.3449, 2, 0.01)] {
+        for (x, i, p) in
+            [(3.84146, 0, 0.05), (6.63490, 0, 0.01), (9.21034, 1, 0.01), (11.3449, 2, 0.01)]
+        {
             assert!((tails(x)[i] / p - 1.0).abs() < 1e-4, "{x} {:?}", tails(x));
         }
     }

@@ -31,7 +31,8 @@ pub fn mix(laws: [bool; 3]) -> Mix {
 /// All mixes of no laws but those of `allowed`, the fewest first.
 pub fn mixes(allowed: Mix) -> Vec<Mix> {
     let allowed = laws(allowed);
-    let mut all: Vec<[bool; 3]> = (0..8u8).map(|bits| [0, 1, 2].map(|i| bits >> i & 1 == 1)).collect();
+    let mut all: Vec<[bool; 3]> =
+        (0..8u8).map(|bits| [0, 1, 2].map(|i| bits >> i & 1 == 1)).collect();
     all.retain(|some| (0..3).all(|i| !some[i] || allowed[i]));
     all.sort_by_key(|some| some.iter().filter(|&&acts| acts).count());
     all.into_iter().map(mix).collect()
@@ -107,7 +108,8 @@ pub fn state(problem: &Problem, omega: f64, rate: f64, span: f64) -> Option<(Vec
     let cost = pairs.map(|(&t, &value)| (value - rows(t).dot(&solved)).powi(2)).sum();
     let (value, slope) = (solved[0], solved[1]);
     // q, q' of one derivative from those of the next: x″ = −ω0² x − 2γ x'.
-    let before = |(value, slope): (f64, f64)| (-(slope + 2.0 * rate * value) / (omega * omega), value);
+    let before =
+        |(value, slope): (f64, f64)| (-(slope + 2.0 * rate * value) / (omega * omega), value);
     let (x, v) = match problem.quantity {
         Quantity::Position => (value, slope),
         Quantity::Velocity => before((value, slope)),

@@ -73,7 +73,8 @@ fn slack(
         let mut moved = Vector::zeros();
         moved[COULOMB] = -share * minimum.at[COULOMB];
         let right = -(minimum.normal.information * moved);
-        let mut start = minimum.at + moved + solve(&minimum.normal.information, &right, &held, 0.0)?;
+        let mut start =
+            minimum.at + moved + solve(&minimum.normal.information, &right, &held, 0.0)?;
         LAWS.iter().for_each(|&law| start[law] = start[law].max(0.0));
         let Stop::After(number) = ending.stop(&start) else { return Some(start) };
         let course = problem.course(&start, ending, false)?;

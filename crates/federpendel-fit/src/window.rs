@@ -63,8 +63,7 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     let given = |given: Option<f64>| if given.is_some() { Edge::Given } else { Edge::Recording };
     let first = from.map_or(0, |from| times.partition_point(|&t| t < from));
     let end = to.map_or(times.len(), |to| times.partition_point(|&t| t <= to)).max(first + 1);
-    let mut window =
-        Window::between(times, first.min(end - 1), end, given(from), given(to));
+    let mut window = Window::between(times, first.min(end - 1), end, given(from), given(to));
     let whole = look(&times[window.first..end], &recording.values[window.first..end]);
     if let Some(look) = &whole {
         if from.is_none() {
@@ -95,7 +94,7 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
 fn start(times: &[f64], look: &Look) -> (f64, Edge) {
     let widest = widest(&look.extremes);
     let still = still_until(times, look, widest);
-    // Half a swing around a turn stays within 2 % of the width for a sixth of it at most.
+    // Half a swing around a turn stays within 2 % of the width for a fifth of it at most.
     let lay_still = still - times[0] > 0.3 * look.half;
     let moving = look.extremes.partition_point(|extreme| lay_still && extreme.time <= still);
     let extremes = &look.extremes[moving..];
@@ -135,7 +134,7 @@ fn middle(look: &Look, widest: f64) -> f64 {
 
 /// Until when the smoothed values stay where they begin.
 fn still_until(times: &[f64], look: &Look, width: f64) -> f64 {
-    let band = 0.01 * width + 4.0 * look.left;
+    let band = 0.02 * width + 4.0 * look.left;
     let until = look.smooth.iter().position(|value| (value - look.smooth[0]).abs() > band);
     // The smoothed values set off earlier by the reach of smoothing; that is made up for in `start`.
     until.map_or(times[0], |i| times[i])
@@ -145,8 +144,7 @@ fn still_until(times: &[f64], look: &Look, width: f64) -> f64 {
 fn ended(times: &[f64], window: Window, look: &Look) -> Window {
     let extremes: Vec<&Extreme> =
         look.extremes.iter().filter(|e| e.time >= window.from - 0.1 * look.half).collect();
-    let swings: Vec<f64> =
-        extremes.windows(2).map(|w| (w[1].value - w[0].value).abs()).collect();
+    let swings: Vec<f64> = extremes.windows(2).map(|w| (w[1].value - w[0].value).abs()).collect();
     let widest = swings.iter().copied().fold(0.0, f64::max);
     let mut smallest = f64::INFINITY;
     for (i, &swing) in swings.iter().enumerate().skip(1) {

@@ -1,6 +1,6 @@
 //! Fits to known motions: what is easy to get wrong.
 
-use federpendel::{Mix, Mode};
+use federpendel::Mix;
 use federpendel_fit::{
     Bootstrap, Edge, Fault, FitError, Intervals, Loss, Options, Parameters, Quantity, Recording,
     Standing, fit,
@@ -66,9 +66,10 @@ fn strong_damping_needs_no_turning_points() {
         let report = fit(&recording, &Options::default()).expect("fits");
         let stokes = report.model(STOKES).expect("all mixes are fitted");
         assert!(stokes.rms < 0.0112, "{ratio}: {}", stokes.rms);
-        let (low, high) = stokes.parameter("damping_rate").expect("it is fitted").interval95;
-        let holds = low.is_none_or(|l| l <= p.damping_rate) && high.is_none_or(|h| h >= p.damping_rate);
-        assert!(holds, "{ratio}: {low:?} {high:?}");
+        let rate = stokes.parameter("damping_rate").expect("it is fitted");
+        let (value, stderr) = rate.value.zip(rate.stderr).expect("both are known");
+        assert!((value - p.damping_rate).abs() < 4.0 * stderr, "{ratio}: {value} ± {stderr}");
+        assert!(stderr < 0.2 * p.damping_rate, "{ratio}: {value} ± {stderr}");
         assert!(report.adequacy.adequate, "{ratio}: {:?}", report.adequacy);
     }
 }
@@ -141,12 +142,14 @@ fn integrated(force: impl Fn(f64) -> f64, start: f64, times: &[f64]) -> Vec<f64>
 fn a_spring_that_is_not_linear_is_named() {
     let mut random = Random(3);
     let cubic = |x: f64| x + 0.2 * x * x * x;
-    let cases: [(&dyn Fn(f64) -> f64, Fault); 2] = [(&f64::sin, Fault::Softening), (&cubic, Fault::Hardening)];
+    let cases: [(&dyn Fn(f64) -> f64, Fault); 2] =
+        [(&f64::sin, Fault::Softening), (&cubic, Fault::Hardening)];
     for (force, fault) in cases {
         let times = even(15.0, 1500);
         let values = integrated(force, 1.0, &times);
         let values = values.iter().map(|x| x + 0.005 * random.normal()).collect();
-        let recording = Recording { times, values, quantity: Quantity::Position, unit: String::new() };
+        let recording =
+            Recording { times, values, quantity: Quantity::Position, unit: String::new() };
         let report = fit(&recording, &Options::default()).expect("fits");
         assert!(!report.adequacy.adequate, "{:?}", report.adequacy);
         assert_eq!(report.adequacy.findings[0].fault, fault, "{:?}", report.adequacy);
@@ -171,7 +174,9 @@ fn what_few_swings_cannot_tell_a_wider_release_can() {
     assert!(from > 1.05 * reach.amplitude, "{reach:?}");
     // Released from there, with some room for chance, the recording does tell.
     let wide = Parameters { position0: 1.5 * from, ..p };
-    let report = fit(&recorded(&wide, even(4.0, 400), 0.002, 2), &Options::default()).expect("fits");
+    let longer = 4.0 + (wide.position0 / p.position0).ln() / p.damping_rate;
+    let times = even(longer, (100.0 * longer) as usize);
+    let report = fit(&recorded(&wide, times, 0.002, 2), &Options::default()).expect("fits");
     let left = report.verdict.alternatives.iter().chain([&report.verdict.mix]);
     let told = left.filter(|mix| reach.mixes.contains(mix)).count();
     assert!(told <= 1, "{:?}", report.verdict);
@@ -183,10 +188,8 @@ fn the_rest_brackets_static_friction() {
     let (mut holds, mut of) = (0, 0);
     while of < 30 {
         let known = known(&mut random, 0.0).expect("in range");
-        let motion = motion(&known.truth, known.static_acceleration).expect("in range");
-        let still = motion.at(1e6 / known.truth.angular_frequency).is_ok_and(|s| s.mode == Mode::Stuck);
         let position = known.recording.quantity == Quantity::Position;
-        if known.rests.is_none_or(|turns| turns < 2) || !still || !position {
+        if known.rests.is_none_or(|turns| turns < 2) || !position {
             continue;
         }
         let report = fit(&known.recording, &Options::default()).expect("fits");
@@ -277,13 +280,15 @@ fn what_cannot_be_fitted_is_refused() {
 #[test]
 fn noise_alone_makes_no_panic() {
     let mut random = Random(4);
-    for count in [12, 13, 20, 100, 1000] {
+    for count in [12, 13, 20, 100, 300] {
         for quantity in [Quantity::Position, Quantity::Velocity, Quantity::Acceleration] {
             let values = (0..count).map(|_| random.normal()).collect();
-            let recording = Recording { times: even(1.0, count), values, quantity, unit: String::new() };
+            let recording =
+                Recording { times: even(1.0, count), values, quantity, unit: String::new() };
             let _ = fit(&recording, &Options::default());
             let ramp = (0..count).map(|i| i as f64).collect();
-            let recording = Recording { times: even(1.0, count), values: ramp, quantity, unit: String::new() };
+            let recording =
+                Recording { times: even(1.0, count), values: ramp, quantity, unit: String::new() };
             let _ = fit(&recording, &Options::default());
         }
     }

@@ -52,9 +52,21 @@ fn show(name: &str, report: &FitReport) {
     println!("n {} effective {:.0}", report.samples, report.effective_samples);
     for model in &report.models {
         let c = &model.criteria;
-        print!("{:>24} aicc {:9.1} bic {:9.1} rms {:.5} {:?} ", model.mix.to_string(), c.aicc, c.bic, model.rms, model.stop_reason);
+        print!(
+            "{:>24} aicc {:9.1} bic {:9.1} rms {:.5} {:?} ",
+            model.mix.to_string(),
+            c.aicc,
+            c.bic,
+            model.rms,
+            model.stop_reason
+        );
         for p in &model.parameters[..model.parameters.len().min(7)] {
-            print!(" {}={:.5}±{:.5}", &p.name[..4], p.value.unwrap_or(f64::NAN), p.stderr.unwrap_or(f64::NAN));
+            print!(
+                " {}={:.5}±{:.5}",
+                &p.name[..4],
+                p.value.unwrap_or(f64::NAN),
+                p.stderr.unwrap_or(f64::NAN)
+            );
         }
         println!(" {:?}", model.rest.map(|r| (r.turning_points, r.time, r.static_acceleration)));
     }
@@ -121,7 +133,8 @@ fn a_pendulum_at_large_angles_is_no_linear_spring() {
 #[test]
 fn a_bicycle_wheel_has_a_frequency() {
     for (name, omega) in [("axial", 4.5), ("radial", 13.0)] {
-        let name = format!("ucdavis_resonance/bicycle-wheel-{name}-inertia-rate-gyro-measurement.csv");
+        let name =
+            format!("ucdavis_resonance/bicycle-wheel-{name}-inertia-rate-gyro-measurement.csv");
         let Some(report) = fitted(&name, Quantity::Velocity) else { return };
         let best = report.best().expect("a verdict has its model");
         let found = best.value("angular_frequency");

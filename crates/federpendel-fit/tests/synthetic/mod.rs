@@ -97,7 +97,8 @@ pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
         angular_frequency: omega,
         damping_rate: weights[0] * loss * omega / (PI * swings),
         coulomb_acceleration: if mix.coulomb {
-            (if resting { dry } else { dry * weights[1] }) * amplitude * omega * omega / (2.0 * swings)
+            (if resting { dry } else { dry * weights[1] }) * amplitude * omega * omega
+                / (2.0 * swings)
         } else {
             0.0
         },
@@ -132,8 +133,8 @@ pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
         noise.push(sigma * before);
     }
     let mut values = Vec::new();
-    for (&time, noise) in times.iter().zip(&noise) {
-        let sample = motion.at((time - release_time).max(0.0))?;
+    let since: Vec<f64> = times.iter().map(|time| (time - release_time).max(0.0)).collect();
+    for ((&time, noise), sample) in times.iter().zip(&noise).zip(motion.samples(&since)?) {
         let waits = time < release_time;
         let value = match quantity {
             Quantity::Position => sample.position,
