@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 use clap_complete::Shell;
+use federpendel_fit::Quantity;
 use federpendel_text::plot::draw::Background;
 use federpendel_text::{Catalogue, Language};
 
@@ -36,6 +37,8 @@ pub enum Request {
     Compare(Compare),
     /// Check the article's claims.
     Article(Article),
+    /// Fit recordings.
+    Fit(Fit),
     /// Hold samples against a reference problem.
     Score(Score),
     /// Write the completions for a shell.
@@ -121,6 +124,40 @@ pub struct Article {
     pub results: Results,
 }
 
+/// What a recording can hold, by the names on the command line.
+pub(crate) const QUANTITIES: [(&str, Quantity); 3] = [
+    ("position", Quantity::Position),
+    ("velocity", Quantity::Velocity),
+    ("acceleration", Quantity::Acceleration),
+];
+
+/// The arguments of `fit`.
+#[derive(Debug)]
+pub struct Fit {
+    /// Files with recordings.
+    pub recordings: Vec<PathBuf>,
+    /// The column of times, as written.
+    pub time: Option<String>,
+    /// The column of values, as written.
+    pub value: Option<String>,
+    /// What the values are.
+    pub quantity: Option<Quantity>,
+    /// The run, as written.
+    pub run: Option<String>,
+    /// The laws that may act, as written.
+    pub laws: Option<String>,
+    /// When the fitted part begins, as written.
+    pub from: Option<String>,
+    /// When it ends, as written.
+    pub to: Option<String>,
+    /// Standard deviation of a value, as written.
+    pub sigma: Option<String>,
+    /// Whether intervals come from profiles.
+    pub profile: bool,
+    /// Where results go.
+    pub results: Results,
+}
+
 /// The language that `--lang` asks for, or else the environment; found before anything else is
 /// parsed, since help and refusals already speak it.
 pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String>) -> Language {
@@ -174,6 +211,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
         Some(("man", _)) => Request::Man,
         Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
+        Some(("fit", matches)) => Request::Fit(fit(matches)),
         Some(("article", matches)) => Request::Article(article(matches)),
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),
@@ -266,6 +304,24 @@ fn article(matches: &ArgMatches) -> Article {
         subject: subject(matches),
         worksheet: matches.get_flag("worksheet"),
         claims: text(matches, "claims"),
+        results: results(matches),
+    }
+}
+
+fn fit(matches: &ArgMatches) -> Fit {
+    let quantity = text(matches, "quantity");
+    let known = QUANTITIES.iter().find(|(name, _)| Some(*name) == quantity.as_deref());
+    Fit {
+        recordings: matches.get_many("recordings").into_iter().flatten().cloned().collect(),
+        time: text(matches, "time"),
+        value: text(matches, "value"),
+        quantity: known.map(|(_, quantity)| *quantity),
+        run: text(matches, "run"),
+        laws: text(matches, "laws"),
+        from: text(matches, "from"),
+        to: text(matches, "to"),
+        sigma: text(matches, "sigma"),
+        profile: matches.get_flag("profile"),
         results: results(matches),
     }
 }

@@ -6,6 +6,7 @@ mod compare;
 mod comparison;
 pub mod experiment;
 mod failure;
+mod fit;
 mod load;
 mod output;
 mod progress;
@@ -40,6 +41,7 @@ fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
         Request::Simulate(arguments) => simulate::run(arguments, catalogue),
         Request::Compare(arguments) => compare::run(arguments, catalogue),
         Request::Article(arguments) => article::run(arguments, catalogue),
+        Request::Fit(arguments) => fit::run(arguments, catalogue),
         Request::Score(arguments) => score::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),

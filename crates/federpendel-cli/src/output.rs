@@ -3,6 +3,7 @@
 mod article;
 mod comparison;
 mod csv;
+mod fit;
 mod json;
 mod motion;
 mod plot;
@@ -15,6 +16,7 @@ pub(crate) use article::ArticleReport;
 pub(crate) use comparison::ComparisonReport;
 pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
+pub(crate) use fit::{Fitted, write_fits};
 pub(crate) use motion::MotionReport;
 pub use motion::Picture as MotionPicture;
 pub(crate) use score::write_score;
@@ -53,6 +55,8 @@ impl Format {
     pub const ON_STDOUT: [Format; 3] = [Format::Summary, Format::Csv, Format::Json];
     /// The forms that a file with a report can have.
     pub const OF_REPORTS: [Format; 2] = [Format::Json, Format::Html];
+    /// The forms that a file with fits can have.
+    pub const OF_FITS: [Format; 3] = [Format::Json, Format::Svg, Format::Png];
     /// The forms of a report on standard output.
     pub const REPORTS_ON_STDOUT: [Format; 2] = [Format::Summary, Format::Json];
 

@@ -1,6 +1,7 @@
 //! What is wrong, in the user's language: field, value, what is allowed.
 
 mod experiment;
+mod fit;
 mod quantity;
 mod remark;
 mod samples;
@@ -8,6 +9,7 @@ mod syntax;
 mod too_long;
 
 pub use experiment::experiment_error;
+pub use fit::{edge, fit_error, read_error, read_note};
 pub use quantity::{allowed, flag_value, quantity_problem};
 pub(crate) use remark::remark;
 pub(crate) use samples::samples_fault;

@@ -96,11 +96,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/article.ftl")),
             include_str!(concat!("../locales/", $folder, "/check.ftl")),
             include_str!(concat!("../locales/", $folder, "/sketch.ftl")),
+            include_str!(concat!("../locales/", $folder, "/fit.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 5] {
+fn sources(language: Language) -> [&'static str; 6] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

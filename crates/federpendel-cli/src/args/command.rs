@@ -1,6 +1,7 @@
 //! The command line described to clap, in the user's language.
 
 mod article;
+mod fit;
 mod score;
 
 use std::path::PathBuf;
@@ -48,6 +49,7 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         .subcommand(simulate(catalogue))
         .subcommand(compare(catalogue))
         .subcommand(article::article(catalogue))
+        .subcommand(fit::fit(catalogue))
         .subcommand(score::score(catalogue))
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))

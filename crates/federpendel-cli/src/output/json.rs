@@ -3,6 +3,7 @@
 mod article;
 mod comparison;
 mod document;
+mod fit;
 mod score;
 mod tidy;
 
@@ -16,9 +17,11 @@ use serde_json::Serializer;
 use crate::comparison::Comparison;
 use crate::record::Record;
 use crate::score::Score;
+use super::fit::Fitted;
 use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;
+use fit::FitsDocument;
 use score::ScoreDocument;
 use tidy::Tidy;
 
@@ -40,6 +43,14 @@ pub(super) fn write_article(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     write_document(&ArticleDocument::new(checks, catalogue), out)
+}
+
+pub(super) fn write_fits(
+    fits: &[Fitted],
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_document(&FitsDocument::new(fits, catalogue), out)
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

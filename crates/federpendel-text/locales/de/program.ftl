@@ -588,3 +588,80 @@ cli-article-claims-without-page = --claims wählt, was auf der Seite steht; dazu
 cli-article-details = Zu jeder Behauptung sagen, was berechnet und gefunden wurde
 article-solutions-file = -loesungen
 article-hint = -o artikel.html schreibt den Bericht; --details zeigt hier jede Behauptung.
+
+### Aufzeichnungen
+
+plot-recorded = Aufgezeichnet
+plot-not-fitted = Aufgezeichnet, nicht angepasst
+plot-fit = Anpassung
+plot-residual = Aufzeichnung minus Anpassung
+plot-recording-description = { $title }: { $samples } Werte über { $duration }, zwischen { $lowest } und { $highest }, und die angepasste Bewegung.
+plot-residuals-description = Was die Anpassung übrig lässt, mit einem quadratischen Mittel von { $rms }.
+
+cli-fit = Aufzeichnungen einer freien Schwingung anpassen: welche Reibung wirkt, wie stark, wie sicher
+cli-fit-examples =
+    Beispiele:
+      federpendel fit aufzeichnung.csv
+      federpendel fit phyphox.zip --value "Acceleration y" --details
+      federpendel fit *.txt --format json > anpassungen.json
+      federpendel fit aufzeichnung.csv --laws stokes,coulomb --from "1,2 s" -o anpassung.svg -o anpassung.json
+cli-value-recordings = AUFZEICHNUNG…
+cli-value-column = SPALTE
+cli-fit-recordings = Dateien, wie Messprogramme sie schreiben: Text mit Kommas, Semikolons, Tabulatoren oder Leerzeichen, .zip, .xlsx, .xls
+cli-fit-time = Spalte der Zeiten, nach Überschrift, Name oder Nummer (Vorgabe: die, die in der Kopfzeile so heißt)
+cli-fit-value = Spalte der Werte (Vorgabe: die Komponente, die am stärksten schwingt)
+cli-fit-quantity = Was die Werte sind: position (Auslenkung), velocity (Geschwindigkeit) oder acceleration (Beschleunigung); Vorgabe: was Einheit oder Name sagen
+cli-fit-run = Der Durchlauf, wenn eine Datei mehrere enthält (Vorgabe: alle)
+cli-fit-laws = Reibungsgesetze, die wirken dürfen: auto (Vorgabe, alle drei), none (keines) oder eine Liste aus stokes, coulomb, newton
+cli-fit-from = Wann der angepasste Teil beginnt (Vorgabe: wo die freie Schwingung beginnt)
+cli-fit-to = Wann er endet (Vorgabe: wo sich die Masse nicht mehr bewegt)
+cli-fit-sigma = Standardabweichung eines Werts, wenn bekannt; χ² ist in ihr gemessen
+cli-fit-output = Datei, deren Endung die Form bestimmt: { $forms }; auch mehrfach
+cli-fit-profile = Intervalle aus Profilen der Fehlerquadratsumme statt aus Standardfehlern
+fit-option-refused = { $name } ist { $value }: { $problem }
+fit-laws-refused = --laws nennt „{ $value }“; erlaubt sind auto, none, stokes, coulomb, newton
+fit-pictures-of-one = Ein Bild zeigt eine Aufzeichnung; angepasst sind { $count }. Wähle eine Datei oder mit --run einen Durchlauf
+fit-title = { $name }: { $quantity }
+fit-quantity-position = Auslenkung
+fit-quantity-velocity = Geschwindigkeit
+fit-quantity-acceleration = Beschleunigung
+fit-parameter-angular-frequency = Kreisfrequenz ω₀
+fit-parameter-damping-rate = Dämpfungsparameter γ (Stokes)
+fit-parameter-coulomb-acceleration = trockene Reibung durch Masse a_c (Coulomb)
+fit-parameter-newton-rate = Widerstand durch Masse κ (Newton)
+fit-parameter-position0 = Auslenkung am Anfang
+fit-parameter-velocity0 = Geschwindigkeit am Anfang
+fit-parameter-equilibrium = Nullpunkt der Skala
+fit-parameter-static-acceleration = Haftreibung durch Masse
+fit-law-stokes = Stokessche Reibung γ = { $value }
+fit-law-coulomb = Coulombsche Reibung a_c = { $value }
+fit-law-newton = Newtonsche Reibung κ = { $value }
+fit-acts = { $laws }.
+fit-acts-none = In dieser Aufzeichnung zeigt sich keine Reibung.
+fit-and = { $one } und { $other }
+fit-not-needed = { $law } wird nicht gebraucht.
+fit-cannot-separate = Diese Amplituden können { $one } nicht von { $other } unterscheiden: dazu ab mindestens { $amplitude } loslassen.
+fit-never-separates = Diese Aufzeichnung kann { $one } nicht von { $other } unterscheiden, auch größere Amplituden könnten es nicht.
+fit-wrong-softening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode wächst mit der Amplitude, wie bei einem Pendel mit großen Ausschlägen (eine Feder, die weicher wird).
+fit-wrong-hardening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
+fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode driftet.
+fit-wrong-losses = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
+fit-wrong-zero-drift = Kein Gemisch beschreibt diese Aufzeichnung: Der Nullpunkt des Sensors driftet.
+fit-wrong-shape = Kein Gemisch beschreibt diese Aufzeichnung: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
+fit-wrong = Kein Gemisch beschreibt diese Aufzeichnung.
+fit-rests = Die Masse kommt bei { $time } zur Ruhe.
+fit-row-frequency = Eigenfrequenz
+fit-row-damping-ratio = Dämpfungsgrad
+fit-row-window = angepasster Teil
+fit-window-value = { $from } bis { $to }, { $samples } Werte
+fit-row-residual = Rest (quadratisches Mittel)
+fit-row-begins = Grund des Anfangs
+fit-row-ends = Grund des Endes
+fit-row-column = Spalte
+fit-heading-models = Gemische, nach AICc
+fit-model-row = AICc { $aicc }, BIC { $bic }, Rest { $rms }
+fit-row-evaluations = Auswertungen des Modells
+fit-row-reduced = reduziertes χ²
+fit-row-chi = χ²
+fit-interval = { $value } (95 %: { $low } bis { $high })
+fit-none = keine

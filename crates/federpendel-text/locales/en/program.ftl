@@ -588,3 +588,80 @@ cli-article-claims-without-page = --claims chooses what stands on the page; that
 cli-article-details = Tell of every claim what was computed and found
 article-solutions-file = -solutions
 article-hint = -o article.html writes the report; --details tells of every claim here.
+
+### Recordings
+
+plot-recorded = Recorded
+plot-not-fitted = Recorded, not fitted
+plot-fit = Fit
+plot-residual = Recorded minus fitted
+plot-recording-description = { $title }: { $samples } values over { $duration }, between { $lowest } and { $highest }, and the fitted motion.
+plot-residuals-description = What the fit leaves, with a root mean square of { $rms }.
+
+cli-fit = Fit recordings of a free decay: which friction acts, how strongly, how surely
+cli-fit-examples =
+    Examples:
+      federpendel fit recording.csv
+      federpendel fit phyphox.zip --value "Acceleration y" --details
+      federpendel fit *.txt --format json > fits.json
+      federpendel fit recording.csv --laws stokes,coulomb --from "1.2 s" -o fit.svg -o fit.json
+cli-value-recordings = RECORDING…
+cli-value-column = COLUMN
+cli-fit-recordings = Files as measuring programs write them: text with commas, semicolons, tabs or spaces, .zip, .xlsx, .xls
+cli-fit-time = Column of times, by heading, name or number (default: the one that its header calls so)
+cli-fit-value = Column of values (default: the component that oscillates most)
+cli-fit-quantity = What the values are: position, velocity or acceleration (default: what unit or name say)
+cli-fit-run = The run, where a file holds several (default: all of them)
+cli-fit-laws = Laws that may act: auto (default, all three), none, or a list of stokes, coulomb, newton
+cli-fit-from = When the fitted part begins (default: where the free decay does)
+cli-fit-to = When it ends (default: where the mass no longer moves)
+cli-fit-sigma = Standard deviation of a value, if known; χ² is measured in it
+cli-fit-output = File to write, by its extension: { $forms }; may be repeated
+cli-fit-profile = Intervals from profiles of the sum of squares instead of standard errors
+fit-option-refused = { $name } is { $value }: { $problem }
+fit-laws-refused = --laws names “{ $value }”; allowed are auto, none, stokes, coulomb, newton
+fit-pictures-of-one = A picture shows one recording; { $count } were fitted. Choose one, or its --run
+fit-title = { $name }: { $quantity }
+fit-quantity-position = Position
+fit-quantity-velocity = Velocity
+fit-quantity-acceleration = Acceleration
+fit-parameter-angular-frequency = angular frequency ω₀
+fit-parameter-damping-rate = damping rate γ (Stokes)
+fit-parameter-coulomb-acceleration = dry friction over mass a_c (Coulomb)
+fit-parameter-newton-rate = drag over mass κ (Newton)
+fit-parameter-position0 = position at the beginning
+fit-parameter-velocity0 = velocity at the beginning
+fit-parameter-equilibrium = zero of the scale
+fit-parameter-static-acceleration = static friction over mass
+fit-law-stokes = Stokes friction γ = { $value }
+fit-law-coulomb = Coulomb friction a_c = { $value }
+fit-law-newton = Newton friction κ = { $value }
+fit-acts = { $laws }.
+fit-acts-none = No friction shows in this recording.
+fit-and = { $one } and { $other }
+fit-not-needed = { $law } is not needed.
+fit-cannot-separate = These amplitudes cannot tell { $one } from { $other }: release from at least { $amplitude } to do so.
+fit-never-separates = This recording cannot tell { $one } from { $other }, nor would one from larger amplitudes.
+fit-wrong-softening = No mix describes this recording: the period grows with amplitude, as for a pendulum at large angles (a softening spring).
+fit-wrong-hardening = No mix describes this recording: the period falls with amplitude (a hardening spring).
+fit-wrong-period-drift = No mix describes this recording: the period drifts.
+fit-wrong-losses = No mix describes this recording: the losses of amplitude are those of no mix of the three laws.
+fit-wrong-zero-drift = No mix describes this recording: the zero of the sensor drifts.
+fit-wrong-shape = No mix describes this recording: the swings have another shape, as of a sensor that is not linear.
+fit-wrong = No mix describes this recording.
+fit-rests = The mass comes to rest at { $time }.
+fit-row-frequency = natural frequency
+fit-row-damping-ratio = damping ratio
+fit-row-window = fitted part
+fit-window-value = { $from } to { $to }, { $samples } values
+fit-row-residual = residual (rms)
+fit-row-begins = it begins there
+fit-row-ends = it ends there
+fit-row-column = column
+fit-heading-models = Mixes, by AICc
+fit-model-row = AICc { $aicc }, BIC { $bic }, rms { $rms }
+fit-row-evaluations = evaluations of the model
+fit-row-reduced = reduced χ²
+fit-row-chi = χ²
+fit-interval = { $value } (95 %: { $low } to { $high })
+fit-none = none

@@ -15,6 +15,7 @@ mod losses;
 mod motion;
 mod overlay;
 mod phase;
+mod recording;
 mod roots;
 mod series;
 mod span;
@@ -32,6 +33,7 @@ pub use losses::{Losses, LossesData};
 pub use motion::MotionData;
 pub use overlay::{MethodCurve, OverlayData};
 pub use phase::PhaseData;
+pub use recording::RecordingData;
 pub use roots::RootsData;
 pub use series::{Dash, Marker, Role, Series, Style};
 

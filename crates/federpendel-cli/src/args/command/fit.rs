@@ -1,0 +1,58 @@
+//! The command `fit`.
+
+use std::path::PathBuf;
+
+use clap::{Arg, ArgAction, Command, value_parser};
+use federpendel_text::Catalogue;
+
+use super::{choice, common, details, file, usage};
+use crate::args::QUANTITIES;
+use crate::output::Format;
+
+pub(super) fn fit(catalogue: &Catalogue) -> Command {
+    let command = Command::new("fit")
+        .about(catalogue.text("cli-fit"))
+        .override_usage(usage("fit", catalogue.text("cli-value-recordings"), catalogue))
+        .after_help(catalogue.text("cli-fit-examples"))
+        .arg(
+            Arg::new("recordings")
+                .value_name(catalogue.text("cli-value-recordings"))
+                .required(true)
+                .num_args(1..)
+                .value_parser(value_parser!(PathBuf))
+                .help_heading(catalogue.text("cli-heading-arguments"))
+                .help(catalogue.text("cli-fit-recordings")),
+        )
+        .args(options(catalogue));
+    common(command, catalogue)
+}
+
+fn options(catalogue: &Catalogue) -> Vec<Arg> {
+    let heading = catalogue.text("cli-heading-options");
+    let named = |name: &'static str, value: &str, help: &str| {
+        Arg::new(name)
+            .long(name)
+            .value_name(catalogue.text(value))
+            .allow_hyphen_values(true)
+            .help(catalogue.text(help))
+    };
+    let arguments = vec![
+        named("time", "cli-value-column", "cli-fit-time"),
+        named("value", "cli-value-column", "cli-fit-value"),
+        choice("quantity", QUANTITIES.map(|(name, _)| name), catalogue).help(catalogue.text("cli-fit-quantity")),
+        named("run", "cli-value-name", "cli-fit-run"),
+        named("laws", "cli-value-names", "cli-fit-laws"),
+        named("from", "cli-value-quantity", "cli-fit-from"),
+        named("to", "cli-value-quantity", "cli-fit-to"),
+        named("sigma", "cli-value-number", "cli-fit-sigma"),
+        file(&Format::OF_FITS, "cli-fit-output", catalogue),
+        choice("format", Format::REPORTS_ON_STDOUT.map(Format::name), catalogue)
+            .help(catalogue.text("cli-article-format")),
+        Arg::new("profile")
+            .long("profile")
+            .action(ArgAction::SetTrue)
+            .help(catalogue.text("cli-fit-profile")),
+        details("cli-details", catalogue),
+    ];
+    arguments.into_iter().map(|arg| arg.help_heading(heading.clone())).collect()
+}

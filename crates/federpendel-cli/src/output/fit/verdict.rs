@@ -1,0 +1,79 @@
+//! What a fit found, in sentences.
+
+use federpendel::Mix;
+use federpendel_fit::{Fault, Model, Standing};
+use federpendel_text::Catalogue;
+
+use super::Fitted;
+
+/// The laws with the parameter that says how strongly each acts, in the order of the verdict.
+const LAWS: [(&str, &str); 3] =
+    [("stokes", "damping_rate"), ("coulomb", "coulomb_acceleration"), ("newton", "newton_rate")];
+
+/// The verdict: what acts and how strongly, what is not needed, what cannot be told, what is wrong.
+pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
+    let report = &fit.report;
+    let mut sentences = Vec::new();
+    if !report.adequacy.adequate {
+        sentences.push(wrong(fit, catalogue));
+    }
+    sentences.extend(report.best().map(|model| acting(fit, model, catalogue)));
+    for ((law, _), standing) in LAWS.iter().zip(report.verdict.laws) {
+        if standing == Standing::NotNeeded {
+            let law = catalogue.text(&format!("article-law-{law}"));
+            sentences.push(catalogue.format("fit-not-needed", &[("law", law.into())]));
+        }
+    }
+    let mix = |mix: Mix| catalogue.mix(mix);
+    for reach in &report.reaches {
+        let [one, other] = reach.mixes.map(mix);
+        let pair = [("one", one.into()), ("other", other.into())];
+        sentences.push(match reach.from {
+            Some(from) => {
+                let amplitude = catalogue.quantity(from, &fit.length_unit(), 2);
+                let [one, other] = pair;
+                catalogue.format("fit-cannot-separate", &[one, other, ("amplitude", amplitude.into())])
+            }
+            None => catalogue.format("fit-never-separates", &pair),
+        });
+    }
+    let rest = report.best().and_then(|model| model.rest.as_ref());
+    sentences.extend(rest.map(|rest| {
+        let time = catalogue.quantity(rest.time, "s", 4);
+        catalogue.format("fit-rests", &[("time", time.into())])
+    }));
+    sentences
+}
+
+/// The laws of the verdict's mix with their coefficients.
+fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
+    let mix = fit.report.verdict.mix;
+    let acts = [mix.stokes, mix.coulomb, mix.newton];
+    let laws = LAWS.iter().zip(acts).filter(|(_, acts)| *acts).filter_map(|((law, name), _)| {
+        let parameter = model.parameter(name)?;
+        let error = parameter.stderr.unwrap_or(f64::NAN);
+        let value = catalogue.measured(parameter.value?, error, &fit.unit(name));
+        Some(catalogue.format(&format!("fit-law-{law}"), &[("value", value.into())]))
+    });
+    let joined = laws.reduce(|one, other| {
+        catalogue.format("fit-and", &[("one", one.into()), ("other", other.into())])
+    });
+    match joined {
+        None => catalogue.text("fit-acts-none"),
+        Some(laws) => catalogue.format("fit-acts", &[("laws", laws.into())]),
+    }
+}
+
+/// Why no mix describes the recording: the gravest of what was found.
+fn wrong(fit: &Fitted, catalogue: &Catalogue) -> String {
+    let grave = fit.report.adequacy.findings.iter().find(|finding| finding.grave);
+    catalogue.text(match grave.map(|finding| finding.fault) {
+        Some(Fault::Softening) => "fit-wrong-softening",
+        Some(Fault::Hardening) => "fit-wrong-hardening",
+        Some(Fault::PeriodDrift) => "fit-wrong-period-drift",
+        Some(Fault::Losses) => "fit-wrong-losses",
+        Some(Fault::ZeroDrift) => "fit-wrong-zero-drift",
+        Some(Fault::Shape) => "fit-wrong-shape",
+        None => "fit-wrong",
+    })
+}

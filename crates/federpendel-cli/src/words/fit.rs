@@ -1,0 +1,380 @@
+//! Sentences about recordings: why one is refused, how it was read, which part of it is fitted.
+
+use federpendel::parameter::Range;
+use federpendel_fit::read::{Field, Found, LEAST_ROWS, Note, ReadError, Rows};
+use federpendel_fit::{Edge, FitError, Quantity};
+use federpendel_text::{Catalogue, Value};
+
+use super::excerpt;
+
+/// Most names of a list that a message repeats; a table may have thousands of columns.
+const MOST_NAMES: usize = 12;
+
+/// Digits of a step between times.
+const DIGITS: usize = 3;
+
+/// One sentence that says why a file is no recording; `file` is what the user called it.
+pub fn read_error(catalogue: &Catalogue, error: &ReadError, file: &str) -> String {
+    let sentence = of_file(catalogue, error);
+    match (error, line(error)) {
+        // What was asked for does not stand in the file.
+        (ReadError::Rate { .. }, _) => sentence,
+        (_, Some(line)) => format!("{file}:{line}: {sentence}"),
+        (_, None) => format!("{file}: {sentence}"),
+    }
+}
+
+/// One sentence that says why nothing can be fitted to a recording; `file` is what the user called it.
+pub fn fit_error(catalogue: &Catalogue, error: &FitError, file: &str) -> String {
+    let time = |time: f64| Value::from(catalogue.exact_quantity(time, "s"));
+    let sentence = match *error {
+        FitError::Length { times, values } => catalogue
+            .format("fit-refused-length", &[("times", times.into()), ("values", values.into())]),
+        FitError::TooFew { found, needed, from, to } => catalogue.format(
+            "fit-refused-too-few",
+            &[
+                ("found", found.into()),
+                ("needed", needed.into()),
+                ("from", time(from)),
+                ("to", time(to)),
+            ],
+        ),
+        FitError::Value { index, what: "time", value, .. } => catalogue
+            .format("fit-refused-time", &[("number", (index + 1).into()), ("value", time(value))]),
+        FitError::Value { index, value, .. } => catalogue.format(
+            "fit-refused-value",
+            &[
+                ("number", (index + 1).into()),
+                ("value", catalogue.exact_quantity(value, "1").into()),
+                ("allowed", catalogue.range(Range::Finite).into()),
+            ],
+        ),
+        // An option does not stand in the file.
+        FitError::Option { name, value, .. } => return option(catalogue, name, value),
+        FitError::Still { from, to } => {
+            catalogue.format("fit-refused-still", &[("from", time(from)), ("to", time(to))])
+        }
+        FitError::NoFit { from, to } => {
+            catalogue.format("fit-refused-no-fit", &[("from", time(from)), ("to", time(to))])
+        }
+    };
+    format!("{file}: {sentence}")
+}
+
+/// One sentence that says what was assumed, left out or put in order in a recording.
+pub fn read_note(catalogue: &Catalogue, note: &Note) -> String {
+    let of_rows = |id: &str, rows: &Rows, more: &[(&'static str, Value<'static>)]| {
+        let variables = [("count", rows.count.into()), ("line", rows.first_line.into())];
+        catalogue.format(id, &[&variables, more].concat())
+    };
+    let step = |step: f64| Value::from(catalogue.quantity(step, "s", DIGITS));
+    match note {
+        Note::TimeGuessed => catalogue.text("recording-note-time"),
+        Note::TimeUnitAssumed => catalogue.text("recording-note-time-unit"),
+        Note::QuantityAssumed => catalogue.text("recording-note-quantity"),
+        Note::NameContradictsUnit { name } => {
+            let (quantity, _) = quantity(catalogue, *name);
+            catalogue.format("recording-note-name", &[("quantity", quantity.into())])
+        }
+        Note::CutOff { line } => {
+            catalogue.format("recording-note-cut-off", &[("line", (*line).into())])
+        }
+        Note::Missing(rows) => of_rows("recording-note-missing", rows, &[]),
+        Note::Sorted(rows) => of_rows("recording-note-sorted", rows, &[]),
+        Note::Averaged(rows) => of_rows("recording-note-averaged", rows, &[]),
+        Note::Gaps { rows, longest, usual } => {
+            let steps = [("longest", step(*longest)), ("usual", step(*usual))];
+            of_rows("recording-note-gaps", rows, &steps)
+        }
+        Note::RunLeftOut { run, why } => left_out(catalogue, run, why),
+        other => format!("{other:?}"),
+    }
+}
+
+/// Why the fitted part begins or ends where it does, without a full stop.
+pub fn edge(catalogue: &Catalogue, edge: Edge) -> String {
+    catalogue.text(match edge {
+        Edge::Recording => "fit-edge-recording",
+        Edge::Given => "fit-edge-given",
+        Edge::Held => "fit-edge-held",
+        Edge::Driven => "fit-edge-driven",
+        Edge::Misfit => "fit-edge-misfit",
+        Edge::Still => "fit-edge-still",
+        Edge::Disturbed => "fit-edge-disturbed",
+        Edge::Unrest => "fit-edge-unrest",
+    })
+}
+
+/// Sentences about a file as a whole and the tables in it.
+fn of_file(catalogue: &Catalogue, error: &ReadError) -> String {
+    let allowed = || ("allowed", Value::from(catalogue.text("recording-allowed")));
+    match error {
+        ReadError::Empty => catalogue.format("recording-empty", &[allowed()]),
+        ReadError::NoTable { found, text, .. } => {
+            let what = ("found", catalogue.text(&format!("found-{}", found.key())).into());
+            if is_text(*found) {
+                let text = ("text", excerpt(text).into());
+                catalogue.format("recording-no-table-text", &[what, text, allowed()])
+            } else {
+                catalogue.format("recording-no-table", &[what, allowed()])
+            }
+        }
+        ReadError::TooLarge { bytes, most } => catalogue.format(
+            "recording-too-large",
+            &[("bytes", bytes.to_string().into()), ("most", most.to_string().into())],
+        ),
+        ReadError::Damaged { reason } => {
+            catalogue.format("recording-damaged", &[("reason", excerpt(reason).into())])
+        }
+        ReadError::SeveralTables { tables } => {
+            catalogue.format("recording-several-tables", &[("tables", listed(catalogue, tables))])
+        }
+        ReadError::TableNotFound { asked: None, .. } => catalogue.text("recording-no-tables"),
+        ReadError::TableNotFound { asked: Some(asked), tables } if tables.is_empty() => {
+            catalogue.format("recording-no-named-tables", &[("asked", excerpt(asked).into())])
+        }
+        ReadError::TableNotFound { asked: Some(asked), tables } => catalogue.format(
+            "recording-table-not-found",
+            &[("asked", excerpt(asked).into()), ("tables", listed(catalogue, tables))],
+        ),
+        _ => of_columns(catalogue, error),
+    }
+}
+
+/// Sentences about the columns of a table.
+fn of_columns(catalogue: &Catalogue, error: &ReadError) -> String {
+    let columns = |columns| ("columns", listed(catalogue, columns));
+    match error {
+        ReadError::TooManyColumns { found, most } => catalogue.format(
+            "recording-too-many-columns",
+            &[("found", (*found).into()), ("most", (*most).into())],
+        ),
+        ReadError::ColumnNotFound { field, asked, columns: known } => catalogue.format(
+            "recording-column-not-found",
+            &[
+                ("field", field_name(catalogue, *field).into()),
+                ("asked", excerpt(asked).into()),
+                columns(known),
+            ],
+        ),
+        ReadError::ColumnAmbiguous { field, asked, columns: fitting } => catalogue.format(
+            "recording-column-ambiguous",
+            &[
+                ("field", field_name(catalogue, *field).into()),
+                ("asked", excerpt(asked).into()),
+                columns(fitting),
+            ],
+        ),
+        ReadError::RunNotFound { asked, runs } if runs.is_empty() => {
+            catalogue.format("recording-no-runs", &[("asked", excerpt(asked).into())])
+        }
+        ReadError::RunNotFound { asked, runs } => catalogue.format(
+            "recording-run-not-found",
+            &[("asked", excerpt(asked).into()), ("runs", listed(catalogue, runs))],
+        ),
+        ReadError::NoTime { columns: known } => {
+            catalogue.format("recording-no-time", &[columns(known)])
+        }
+        ReadError::TimeUnit { column, unit, allowed } => catalogue.format(
+            "recording-time-unit",
+            &[
+                ("column", excerpt(column).into()),
+                ("unit", excerpt(unit).into()),
+                ("allowed", allowed.join(", ").into()),
+            ],
+        ),
+        ReadError::NoValue { columns: known } => {
+            catalogue.format("recording-no-value", &[columns(known)])
+        }
+        ReadError::QuantityUnit { column, unit, asked } => {
+            let (quantity, units) = quantity(catalogue, *asked);
+            catalogue.format(
+                "recording-quantity-unit",
+                &[
+                    ("column", excerpt(column).into()),
+                    ("unit", excerpt(unit).into()),
+                    ("quantity", quantity.into()),
+                    ("allowed", units.into()),
+                ],
+            )
+        }
+        ReadError::Rate { value } => catalogue.format(
+            "recording-rate",
+            &[
+                ("value", catalogue.exact_quantity(*value, "Hz").into()),
+                ("allowed", catalogue.range(Range::Positive).into()),
+            ],
+        ),
+        _ => of_rows(catalogue, error),
+    }
+}
+
+/// Sentences about the rows of a table and what stands in them.
+fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
+    let exact = |value: f64, unit: &str| Value::from(catalogue.exact_quantity(value, unit));
+    let cells = |id: &str, found: usize, expected: usize| {
+        catalogue.format(id, &[("found", found.into()), ("expected", expected.into())])
+    };
+    match error {
+        ReadError::NoRows { header, .. } => catalogue.format(
+            "recording-no-rows",
+            &[("header", excerpt(header).into()), ("least", LEAST_ROWS.into())],
+        ),
+        ReadError::HeaderCells { found, expected, .. } => {
+            cells("recording-header-cells", *found, *expected)
+        }
+        ReadError::Cells { found, expected, .. } => cells("recording-cells", *found, *expected),
+        ReadError::NoNumber { column, value, .. } => catalogue.format(
+            "recording-no-number",
+            &[("column", excerpt(column).into()), ("value", excerpt(value).into())],
+        ),
+        ReadError::OutOfRange { column, value, most, .. } => catalogue.format(
+            "recording-out-of-range",
+            &[
+                ("column", excerpt(column).into()),
+                ("value", excerpt(value).into()),
+                ("most", exact(*most, "1")),
+            ],
+        ),
+        ReadError::TooFewRows { rows, least } => catalogue.format(
+            "recording-too-few-rows",
+            &[("rows", (*rows).into()), ("least", (*least).into())],
+        ),
+        ReadError::StartsOver { value, before, .. } => catalogue.format(
+            "recording-starts-over",
+            &[("value", exact(*value, "s")), ("before", exact(*before, "s"))],
+        ),
+        ReadError::ConstantTime { column, value } => catalogue.format(
+            "recording-constant-time",
+            &[("column", excerpt(column).into()), ("value", exact(*value, "s"))],
+        ),
+        ReadError::ConstantValue { column, value } => catalogue.format(
+            "recording-constant-value",
+            &[("column", excerpt(column).into()), ("value", exact(*value, "1"))],
+        ),
+        // Every other error is said by `of_file` and `of_columns`.
+        other => other.to_string(),
+    }
+}
+
+/// The line that an error is about; none for the file as a whole.
+fn line(error: &ReadError) -> Option<usize> {
+    match error {
+        ReadError::NoTable { found, line, .. } => is_text(*found).then_some(*line),
+        ReadError::NoRows { line, .. }
+        | ReadError::HeaderCells { line, .. }
+        | ReadError::Cells { line, .. }
+        | ReadError::NoNumber { line, .. }
+        | ReadError::OutOfRange { line, .. }
+        | ReadError::StartsOver { line, .. } => Some(*line),
+        _ => None,
+    }
+}
+
+/// Whether the beginning of what was found can be shown.
+fn is_text(found: Found) -> bool {
+    matches!(found, Found::Xml | Found::Json | Found::Prose)
+}
+
+/// An option that makes no sense: `sigma`, or the beginning or end of the part to be fitted.
+fn option(catalogue: &Catalogue, name: &'static str, value: f64) -> String {
+    let (range, unit) = if name == "sigma" { (Range::Positive, "1") } else { (Range::Finite, "s") };
+    catalogue.format(
+        "fit-refused-option",
+        &[
+            ("name", name.into()),
+            ("value", catalogue.exact_quantity(value, unit).into()),
+            ("allowed", catalogue.range(range).into()),
+        ],
+    )
+}
+
+fn left_out(catalogue: &Catalogue, run: &str, why: &ReadError) -> String {
+    let sentence = of_file(catalogue, why);
+    let reason = match line(why) {
+        Some(line) => {
+            let place = catalogue.format("recording-line", &[("line", line.into())]);
+            format!("{place}: {sentence}")
+        }
+        None => sentence,
+    };
+    let reason = ("reason", Value::from(reason));
+    if run.is_empty() {
+        catalogue.format("recording-note-nameless-run", &[reason])
+    } else {
+        catalogue.format("recording-note-run", &[("run", excerpt(run).into()), reason])
+    }
+}
+
+fn field_name(catalogue: &Catalogue, field: Field) -> String {
+    catalogue.text(match field {
+        Field::Time => "recording-field-time",
+        Field::Value => "recording-field-value",
+    })
+}
+
+/// A quantity, and some of its units.
+fn quantity(catalogue: &Catalogue, quantity: Quantity) -> (String, &'static str) {
+    let (id, units) = match quantity {
+        Quantity::Position => ("recording-quantity-position", "m, cm, mm, rad, °"),
+        Quantity::Velocity => ("recording-quantity-velocity", "m/s, cm/s, km/h, rad/s, °/s"),
+        Quantity::Acceleration => {
+            ("recording-quantity-acceleration", "m/s², cm/s², g, rad/s², °/s²")
+        }
+    };
+    (catalogue.text(id), units)
+}
+
+/// Names in quotes, not too many of them.
+fn listed(catalogue: &Catalogue, names: &[String]) -> Value<'static> {
+    let mut shown: Vec<String> =
+        names.iter().take(MOST_NAMES).map(|name| catalogue.quoted(&excerpt(name))).collect();
+    if names.len() > MOST_NAMES {
+        shown.push("…".to_owned());
+    }
+    shown.join(", ").into()
+}
+
+#[cfg(test)]
+mod tests {
+    use federpendel_fit::read::{Choice, recordings};
+    use federpendel_text::Language;
+
+    use super::*;
+
+    /// What is said of a file, in both languages.
+    fn refused(text: &str, choice: &Choice) -> [String; 2] {
+        let error = recordings(text.as_bytes(), choice).expect_err("no recording");
+        Language::ALL.map(|language| read_error(&Catalogue::new(language), &error, "a.csv"))
+    }
+
+    #[test]
+    fn refusals_name_place_and_value() {
+        let none = Choice::default();
+        let value = |name: &str| Choice { value: Some(name.into()), ..Choice::default() };
+        let rows = "t (s),x (m)\n0,1\n1,2\n2,3\n3,4\n";
+        // What is refused, its place, and what must be repeated of it.
+        for (text, choice, place, repeated) in [
+            ("", &none, "a.csv: ", ".xlsx"),
+            ("%PDF-1.7 …", &none, "a.csv: ", "PDF"),
+            ("{\"x\": 1}", &none, "a.csv:1: ", "JSON"),
+            ("\nDear reader", &none, "a.csv:2: ", "Dear reader"),
+            ("t (s),x (m)\n", &none, "a.csv:1: ", "t (s),x (m)"),
+            (&format!("{rows}4,much\n"), &none, "a.csv:6: ", "much"),
+            (&format!("{rows}4,1e101\n"), &none, "a.csv:6: ", "1e101"),
+            (&format!("{rows}4,5,6\n"), &none, "a.csv:6: ", "3"),
+            (rows, &value("y"), "a.csv: ", "y"),
+            (&rows.replace("(s)", "(kg)"), &none, "a.csv: ", "kg"),
+            ("t (s),x (m)\n0,1\n1,2\n", &none, "a.csv: ", "4"),
+            (&rows.replace([',', '2', '3', '4'], ",1"), &none, "a.csv", "1"),
+        ] {
+            for sentence in refused(text, choice) {
+                assert!(sentence.starts_with(place), "{text:?}: {sentence}");
+                assert!(sentence.contains(repeated), "{text:?}: {sentence}");
+            }
+        }
+        for sentence in refused(rows, &Choice { rate: Some(-2.5), ..Choice::default() }) {
+            assert!(sentence.contains("-2.5 Hz") || sentence.contains("-2,5 Hz"), "{sentence}");
+        }
+    }
+}

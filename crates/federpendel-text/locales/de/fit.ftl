@@ -1,0 +1,114 @@
+# Was zu Aufzeichnungen und ihrer Anpassung gesagt wird. Der Ordner en enthält dieselben Namen mit denselben Variablen.
+
+### Aufzeichnungen, die abgelehnt werden; vor dem Satz stehen Datei und Zeile
+
+recording-line = Zeile { $line }
+recording-allowed = eine Tabelle von Zeiten und Werten: Text (.csv, .txt), auch in einer .zip-Datei, oder eine Excel-Mappe (.xlsx, .xls)
+recording-empty = In der Datei oder in ihrer Tabelle steht nichts; erlaubt ist { $allowed }
+recording-no-table = Das ist { $found }; erlaubt ist { $allowed }
+recording-no-table-text = Das ist { $found } („{ $text }“); erlaubt ist { $allowed }
+recording-too-large = Entpackt sind das mindestens { $bytes } Bytes; erlaubt sind { $most }
+recording-damaged = Die Datei lässt sich nicht öffnen (die Leseroutine sagt auf Englisch: { $reason }); erlaubt ist ein unbeschädigtes Archiv oder eine unbeschädigte Mappe
+recording-several-tables = Die Datei enthält mehrere Tabellen, und keine ist angegeben; erlaubt sind { $tables }
+recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat oder .asc liegt, oder eine Mappe mit einem Blatt voller Zahlen
+recording-no-named-tables = Als Tabelle ist „{ $asked }“ angegeben, aber in dieser Datei hat keine einen Namen; erlaubt ist, keine anzugeben
+recording-table-not-found = Als Tabelle ist „{ $asked }“ angegeben; erlaubt sind { $tables }
+recording-too-many-columns = Die Tabelle hat { $found } Spalten; erlaubt sind höchstens { $most }
+recording-no-rows = Unter der Kopfzeile „{ $header }“ steht nichts; nötig sind mindestens { $least } Zeilen mit Zahlen
+recording-header-cells = Diese Kopfzeile hat { $found } Zellen, die Zeilen darunter { $expected }; erlaubt sind gleich viele
+recording-cells = Diese Zeile hat { $found ->
+    [one] eine Zelle
+   *[other] { $found } Zellen
+}, die Tabelle { $expected ->
+    [one] eine Spalte
+   *[other] { $expected } Spalten
+}; erlaubt sind gleich viele, und Dezimalkommas nur, wo zwischen den Zellen keine Kommas stehen
+recording-no-number = In der Spalte „{ $column }“ steht „{ $value }“; erlaubt ist eine Zahl ohne Tausendertrennzeichen
+recording-out-of-range = In der Spalte „{ $column }“ steht „{ $value }“; erlaubt ist eine Zahl, dem Betrag nach höchstens { $most }
+recording-column-not-found = Als Spalte für { $field } ist „{ $asked }“ angegeben; erlaubt sind { $columns } oder ihre Nummern
+recording-column-ambiguous = Als Spalte für { $field } ist „{ $asked }“ angegeben, was auf { $columns } passt; erlaubt ist ein Name, der nur auf eine davon passt, oder ihre Nummer
+recording-field-time = die Zeit
+recording-field-value = die Werte
+recording-run-not-found = Als Durchgang ist „{ $asked }“ angegeben; erlaubt sind { $runs }
+recording-no-runs = Als Durchgang ist „{ $asked }“ angegeben, aber in dieser Datei hat keiner einen Namen; erlaubt ist, keinen anzugeben
+recording-no-time = Von keiner der Spalten { $columns } ist bekannt, dass sie die Zeiten enthält; eine davon muss dafür angegeben sein, oder eine Abtastrate
+recording-time-unit = Die Einheit der Spalte „{ $column }“ ist „{ $unit }“; erlaubt sind für eine Zeit { $allowed }
+recording-no-value = Von keiner der Spalten { $columns } ist bekannt, dass sie Werte enthält; nötig ist eine mit Zahlen neben den Zeiten, oder eine, die angegeben ist
+recording-quantity-unit = Die Einheit der Spalte „{ $column }“ ist „{ $unit }“; erlaubt sind für { $quantity } { $allowed } und ähnliche
+recording-quantity-position = eine Auslenkung
+recording-quantity-velocity = eine Geschwindigkeit
+recording-quantity-acceleration = eine Beschleunigung
+recording-rate = Die Abtastrate ist { $value }; erlaubt ist { $allowed }
+recording-too-few-rows = Die Aufzeichnung hat { $rows ->
+    [one] eine Zeile
+   *[other] { $rows } Zeilen
+} mit Zeit und Wert zu verschiedenen Zeiten; nötig sind mindestens { $least }
+recording-starts-over = Hier folgt die Zeit { $value } auf { $before }, und eine andere Aufzeichnung beginnt; erlaubt ist eine einzige
+recording-constant-time = In der Spalte „{ $column }“ steht in jeder Zeile { $value }; erlaubt sind Zeiten, die steigen
+recording-constant-value = In der Spalte „{ $column }“ steht in jeder Zeile { $value } (in SI-Einheiten, wenn ihre Einheit bekannt ist); erlaubt sind Werte, die sich ändern
+
+### Was eine Datei statt einer Tabelle ist
+
+found-binary = kein Text
+found-picture = ein Bild
+found-pdf = ein PDF-Dokument
+found-gzip = eine mit gzip gepackte Datei, die erst entpackt werden muss
+found-media = ein Ton oder ein Film
+found-hdf5 = eine Datei von HDF5 oder MATLAB
+found-xml = XML oder HTML, vielleicht ein Projekt von Tracker oder Logger Pro, aus dem sich eine Tabelle exportieren lässt
+found-json = JSON
+found-prose = Text ohne Zeilen mit Zahlen
+
+### Was an einer Aufzeichnung angenommen, weggelassen und geordnet wurde
+
+recording-note-time = Keine Kopfzeile nennt die Zeit; dafür wird die erste Spalte genommen, deren Zahlen steigen.
+recording-note-time-unit = Die Datei nennt keine Einheit der Zeit; angenommen sind Sekunden.
+recording-note-quantity = Weder Einheit noch Name sagen, was aufgezeichnet wurde; angenommen ist eine Auslenkung.
+recording-note-name = Dem Namen nach enthält die Spalte der Werte { $quantity }, der Einheit nach nicht; es gilt die Einheit.
+recording-note-cut-off = Die letzte Zeile, { $line }, endet zu früh und ist weggelassen.
+recording-note-missing =
+    { $count ->
+        [one] Einer Zeile fehlt Zeit oder Wert; sie ist weggelassen: Zeile { $line }.
+       *[other] { $count } Zeilen fehlt Zeit oder Wert; sie sind weggelassen, die erste ist Zeile { $line }.
+    }
+recording-note-sorted =
+    { $count ->
+        [one] Die Zeit fällt einmal, in Zeile { $line }; alle Zeilen sind nach der Zeit sortiert.
+       *[other] Die Zeit fällt { $count }-mal, zuerst in Zeile { $line }; alle Zeilen sind nach der Zeit sortiert.
+    }
+recording-note-averaged =
+    { $count ->
+        [one] Eine Zeile, Zeile { $line }, hat dieselbe Zeit wie eine andere; es gilt das Mittel ihrer Werte.
+       *[other] { $count } Zeilen, die erste ist Zeile { $line }, haben dieselbe Zeit wie eine andere; es gilt das Mittel ihrer Werte.
+    }
+recording-note-gaps =
+    { $count ->
+        [one] Die Zeiten haben eine Lücke von { $longest } vor Zeile { $line }; üblich sind { $usual }.
+       *[other] Die Zeiten haben { $count } Lücken bis { $longest }, die erste vor Zeile { $line }; üblich sind { $usual }.
+    }
+recording-note-run = Der Durchgang „{ $run }“ ist weggelassen: { $reason }.
+recording-note-nameless-run = Ein Durchgang ohne Namen ist weggelassen: { $reason }.
+
+### Aufzeichnungen, an die sich nichts anpassen lässt; vor dem Satz steht die Datei
+
+fit-refused-length = Die Aufzeichnung hat { $times } Zeiten und { $values } Werte; erlaubt sind gleich viele
+fit-refused-too-few = Von { $from } bis { $to } hat die Aufzeichnung { $found ->
+    [one] einen Wert
+   *[other] { $found } Werte
+}; nötig sind mindestens { $needed }
+fit-refused-time = Zeit Nummer { $number } ist { $value }; erlaubt ist eine endliche Zahl, größer als die Zeit davor
+fit-refused-value = Wert Nummer { $number } ist { $value }; erlaubt ist { $allowed }
+fit-refused-option = { $name } ist { $value }; erlaubt ist { $allowed }
+fit-refused-still = Von { $from } bis { $to } sind alle Werte gleich; erlaubt ist ein Teil, in dem sich die Masse bewegt
+fit-refused-no-fit = Von { $from } bis { $to } lässt sich keine Bewegung eines Federpendels anpassen; erlaubt ist ein Teil, in dem es frei schwingt
+
+### Warum der angepasste Teil dort beginnt oder endet, wo er es tut
+
+fit-edge-recording = wie die Aufzeichnung
+fit-edge-given = wie angegeben
+fit-edge-held = davor wurde die Masse gehalten oder lag still
+fit-edge-driven = davor bewegte etwas anderes die Masse: Ihre Schwingungen wuchsen
+fit-edge-misfit = die Werte davor gehören nicht zu der Bewegung, die folgt
+fit-edge-still = danach liegt die Masse still
+fit-edge-disturbed = danach bewegt etwas anderes die Masse
+fit-edge-unrest = danach klingen die Schwingungen nicht mehr ab: Etwas anderes hält die Masse in Bewegung, etwa der Boden

@@ -1,0 +1,114 @@
+# What is said of recordings and their fits. The folder de holds the same ids with the same variables.
+
+### Recordings that are refused; file and line stand before the sentence
+
+recording-line = line { $line }
+recording-allowed = a table of times and values: text (.csv, .txt) alone or in a .zip, or an Excel workbook (.xlsx, .xls)
+recording-empty = nothing stands in the file, or in its table; allowed is { $allowed }
+recording-no-table = this is { $found }; allowed is { $allowed }
+recording-no-table-text = this is { $found } (“{ $text }”); allowed is { $allowed }
+recording-too-large = unpacked this has { $bytes } bytes or more; allowed are { $most }
+recording-damaged = the file cannot be opened (its reader says: { $reason }); allowed is an archive or a workbook that is whole
+recording-several-tables = the file holds several tables and none is named; allowed are { $tables }
+recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat or .asc in it, or a workbook with a sheet of numbers
+recording-no-named-tables = the table asked for is “{ $asked }”, but this file holds none with a name; allowed is to ask for none
+recording-table-not-found = the table asked for is “{ $asked }”; allowed are { $tables }
+recording-too-many-columns = the table has { $found } columns; allowed are { $most } at most
+recording-no-rows = nothing stands below the header “{ $header }”; at least { $least } rows of numbers are needed
+recording-header-cells = this header has { $found } cells, the rows below it { $expected }; allowed are as many
+recording-cells = this row has { $found ->
+    [one] one cell
+   *[other] { $found } cells
+}, the table { $expected ->
+    [one] one column
+   *[other] { $expected } columns
+}; allowed are as many, and decimal commas only where no commas stand between cells
+recording-no-number = the column “{ $column }” holds “{ $value }”; allowed is a number, without thousands separators
+recording-out-of-range = the column “{ $column }” holds “{ $value }”; allowed is a number of at most { $most } in magnitude
+recording-column-not-found = the column asked for as { $field } is “{ $asked }”; allowed are { $columns }, or their numbers
+recording-column-ambiguous = the column asked for as { $field } is “{ $asked }”, which fits { $columns }; allowed is a name that fits one of them, or its number
+recording-field-time = time
+recording-field-value = value
+recording-run-not-found = the run asked for is “{ $asked }”; allowed are { $runs }
+recording-no-runs = the run asked for is “{ $asked }”, but this file has no runs with a name; allowed is to ask for none
+recording-no-time = none of the columns { $columns } is known to hold the times; one of them must be named, or a rate given
+recording-time-unit = the column “{ $column }” is in “{ $unit }”; allowed for a time are { $allowed }
+recording-no-value = none of the columns { $columns } is known to hold values; needed is one of numbers besides the times, or one that is named
+recording-quantity-unit = the column “{ $column }” is in “{ $unit }”; allowed for { $quantity } are { $allowed } and the like
+recording-quantity-position = a position
+recording-quantity-velocity = a velocity
+recording-quantity-acceleration = an acceleration
+recording-rate = the rate is { $value }; allowed is { $allowed }
+recording-too-few-rows = the recording has { $rows ->
+    [one] one row
+   *[other] { $rows } rows
+} with time and value, at different times; at least { $least } are needed
+recording-starts-over = the time { $value } follows { $before } here, where another recording begins; allowed is one recording
+recording-constant-time = the column “{ $column }” is { $value } in every row; allowed are times that rise
+recording-constant-value = the column “{ $column }” is { $value } in every row (in SI units, if its unit is known); allowed are values that change
+
+### What a file is instead of a table
+
+found-binary = no text
+found-picture = a picture
+found-pdf = a PDF document
+found-gzip = a file packed by gzip, which must be unpacked first
+found-media = a sound or a film
+found-hdf5 = a file of HDF5 or MATLAB
+found-xml = XML or HTML, perhaps a project of Tracker or Logger Pro, from which a table can be exported
+found-json = JSON
+found-prose = text without rows of numbers
+
+### What was assumed, left out and put in order in a recording
+
+recording-note-time = No header names the time; the first column, which rises, is taken for it.
+recording-note-time-unit = The file gives the time no unit; seconds are assumed.
+recording-note-quantity = Neither unit nor name say what was recorded; a position is assumed.
+recording-note-name = By its name the column of values holds { $quantity }, by its unit it does not; the unit counts.
+recording-note-cut-off = The last line, { $line }, ends too early and is left out.
+recording-note-missing =
+    { $count ->
+        [one] One row lacks time or value and is left out: line { $line }.
+       *[other] { $count } rows lack time or value and are left out, the first of them line { $line }.
+    }
+recording-note-sorted =
+    { $count ->
+        [one] The time falls once, in line { $line }; all rows are sorted by time.
+       *[other] The time falls { $count } times, first in line { $line }; all rows are sorted by time.
+    }
+recording-note-averaged =
+    { $count ->
+        [one] One row, line { $line }, has the time of another; the mean of their values stands.
+       *[other] { $count } rows, the first of them line { $line }, have the time of another; the mean of their values stands.
+    }
+recording-note-gaps =
+    { $count ->
+        [one] The times have a gap of { $longest } before line { $line }; { $usual } is usual.
+       *[other] The times have { $count } gaps of up to { $longest }, the first before line { $line }; { $usual } is usual.
+    }
+recording-note-run = The run “{ $run }” is left out: { $reason }.
+recording-note-nameless-run = A run without a name is left out: { $reason }.
+
+### Recordings to which nothing can be fitted; the file stands before the sentence
+
+fit-refused-length = the recording has { $times } times and { $values } values; allowed are as many
+fit-refused-too-few = from { $from } to { $to } the recording has { $found ->
+    [one] one value
+   *[other] { $found } values
+}; at least { $needed } are needed
+fit-refused-time = time number { $number } is { $value }; allowed is a finite number greater than the time before
+fit-refused-value = value number { $number } is { $value }; allowed is { $allowed }
+fit-refused-option = { $name } is { $value }; allowed is { $allowed }
+fit-refused-still = from { $from } to { $to } all values are the same; allowed is a part in which the mass moves
+fit-refused-no-fit = from { $from } to { $to } no motion of a mass on a spring can be fitted; allowed is a part in which it swings freely
+
+### Why the fitted part begins or ends where it does
+
+fit-edge-recording = as the recording does
+fit-edge-given = as asked for
+fit-edge-held = before this the mass was held, or lay still
+fit-edge-driven = before this something else moved the mass: its swings were growing
+fit-edge-misfit = the values before this do not belong to the motion that follows
+fit-edge-still = after this the mass lies still
+fit-edge-disturbed = after this something else moves the mass
+fit-edge-unrest = after this swings no longer shrink: something else keeps the mass in motion, as the ground does
