@@ -2,7 +2,8 @@
 //!
 //!     cargo run --release -p federpendel-fit --example rates -- [N] [seed] [correlation]
 //!
-//! N recordings (1,000) from a seed (1); `correlation` is that of neighbouring values of the noise (0).
+//! N recordings (1,000) from a seed (1); `correlation` is that of neighbouring values of the noise
+//! (0).
 
 use std::time::Instant;
 

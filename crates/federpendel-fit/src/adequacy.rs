@@ -1,9 +1,11 @@
-//! Whether the oscillator fits at all: the residuals searched for what a wrong model leaves in them.
+//! Whether the oscillator fits at all: the residuals searched for what a wrong model leaves in
+//! them.
 //!
-//! Not χ² against a stated σ: noise that is larger than stated, or that hangs together, is no fault of
-//! the model. A wrong model leaves a pattern that goes with the motion: a phase that drifts, an amplitude that
-//! goes astray, a shape. Each is a small linear model of the residuals beside the parameters themselves; what it explains
-//! is judged by its significance against the noise that is left and by its size against the motion.
+//! Not χ² against a stated σ: noise that is larger than stated, or that hangs together, is no fault
+//! of the model. A wrong model leaves a pattern that goes with the motion: a phase that drifts, an
+//! amplitude that goes astray, a shape. Each is a small linear model of the residuals beside the
+//! parameters themselves; what it explains is judged by its significance against the noise that is
+//! left and by its size against the motion.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -40,8 +42,8 @@ pub struct Finding {
     pub share: f64,
     /// χ² per degree of freedom, against the noise that is left.
     pub significance: f64,
-    /// For the period: its relative change from the widest swing to none, or over the recording; for losses: the
-    /// largest relative error of the amplitude; else the size.
+    /// For the period: its relative change from the widest swing to none, or over the recording;
+    /// for losses: the largest relative error of the amplitude; else the size.
     pub effect: f64,
     /// Whether it is so large that no mix of the laws describes the motion.
     pub grave: bool,
@@ -58,7 +60,8 @@ pub struct Adequacy {
     pub residual: f64,
 }
 
-/// A pattern counts from this χ² per degree of freedom on: beyond what noise does, its spectrum being an estimate.
+/// A pattern counts from this χ² per degree of freedom on: beyond what noise does, its spectrum
+/// being an estimate.
 const SIGNIFICANT: f64 = 6.0;
 /// A pattern with this share of the motion means that the model is wrong, not merely not perfect.
 const GRAVE: f64 = 0.04;

@@ -80,8 +80,8 @@ fn turns_seen(problem: &Problem, look: &Look) -> Option<u64> {
     rests.then_some(look.extremes.len() as u64)
 }
 
-/// The minimum of a mix near `from`. `best` is the lowest sum of squares so far: fits far above it are not
-/// worth the search between jumps.
+/// The minimum of a mix near `from`. `best` is the lowest sum of squares so far: fits far above it
+/// are not worth the search between jumps.
 fn refine(
     problem: &mut Problem,
     from: &Minimum,
@@ -162,7 +162,8 @@ fn as_each_law(start: &Vector, allowed: Mix) -> Vec<Vector> {
     (0..3).filter(|&i| start::laws(allowed)[i]).map(one).collect()
 }
 
-/// The best point to start `mix` from: the larger mixes with their other laws taken away, and the losses.
+/// The best point to start `mix` from: the larger mixes with their other laws taken away, and the
+/// losses.
 fn nearest(
     problem: &mut Problem,
     look: Option<&Look>,
@@ -192,8 +193,8 @@ fn nearest(
     tried.min_by(|a, b| a.normal.cost.total_cmp(&b.normal.cost))
 }
 
-/// `minimum` with the laws that are not `free` taken away and the rest moved as the quadratic model of
-/// the sum of squares says.
+/// `minimum` with the laws that are not `free` taken away and the rest moved as the quadratic model
+/// of the sum of squares says.
 fn without(minimum: &Minimum, free: &[bool; 7]) -> Option<Vector> {
     let mut gone = Vector::zeros();
     LAWS.iter().filter(|&&i| !free[i]).for_each(|&i| gone[i] = -minimum.at[i]);

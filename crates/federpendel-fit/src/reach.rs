@@ -16,12 +16,14 @@ pub struct Reach {
     pub mixes: [Mix; 2],
     /// The amplitude of the recording, in its unit of length.
     pub amplitude: f64,
-    /// Released from at least here, and recorded with the same sampling and noise down to the amplitudes of this
-    /// one, the motion would tell which; none if not even a hundred times the amplitude did.
+    /// Released from at least here, and recorded with the same sampling and noise down to the
+    /// amplitudes of this one, the motion would tell which; none if not even a hundred times the
+    /// amplitude did.
     pub from: Option<f64>,
 }
 
-/// At this many standard errors a coefficient is seen at the level of the verdict nine times of ten.
+/// At this many standard errors a coefficient is seen at the level of the verdict nine times of
+/// ten.
 const SEEN: f64 = 3.6;
 
 /// Most values of a recording that is only imagined.
@@ -38,8 +40,8 @@ fn decay_time(p: &Vector, high: f64, low: f64) -> f64 {
     (0..PIECES).map(piece).sum()
 }
 
-/// The amplitude that tells the mix of `minimum` from `other`: where the coefficients that only the one has
-/// would stand out beside those that only the other has. `variance` is that of one value.
+/// The amplitude that tells the mix of `minimum` from `other`: where the coefficients that only the
+/// one has would stand out beside those that only the other has. `variance` is that of one value.
 pub fn reach(
     problem: &Problem,
     minimum: &Minimum,
