@@ -8,7 +8,7 @@ use crate::adequacy::{adequacy, noise};
 use crate::bootstrap;
 use crate::covariance::{covariance, interval, student, variance};
 use crate::error::FitError;
-use crate::extremes::median;
+use crate::extremes::{look, median};
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
@@ -37,11 +37,12 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
         // A hand that let go late, or the like, spoils the first values: without them once more.
         let Some(first) = fits.misfit(&found.window, options) else { break };
         let Window { end, ends, .. } = found.window;
-        found.window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
-        found.look =
-            crate::extremes::look(&recording.times[first..end], &recording.values[first..end])
-                .or(found.look);
-        fits = Fits::new(recording, &found, options)?;
+        let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
+        let part = (&recording.times[first..end], &recording.values[first..end]);
+        let look = look(part.0, part.1).or(found.look.clone());
+        let shorter = Found { window, look };
+        let Ok(again) = Fits::new(recording, &shorter, options) else { break };
+        (found, fits) = (shorter, again);
     }
     fits.report(recording, found.window, options)
 }

@@ -78,13 +78,11 @@ pub fn reach(
         let spread = covariance(&there, &free(both), probe.len(), excess);
         own.iter().any(|&i| scaled[i] > SEEN * spread[(i, i)].sqrt())
     };
-    // Doubling, then halving the gap.
-    let mut high = 1.0;
-    while high < 100.0 && !seen(high) {
-        high *= 1.5;
-    }
-    let from = seen(high).then(|| {
-        let mut low: f64 = high / 1.5;
+    // Upwards by halves, then halving the last gap.
+    let factors = std::iter::successors(Some(1.0), |factor| Some(factor * 1.5));
+    let found = factors.take_while(|&factor| factor < 100.0).find(|&factor| seen(factor));
+    let from = found.map(|mut high: f64| {
+        let mut low = (high / 1.5).max(1.0);
         for _ in 0..4 {
             let middle = (low * high).sqrt();
             if seen(middle) { high = middle } else { low = middle }
