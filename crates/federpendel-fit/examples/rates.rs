@@ -133,6 +133,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("{quantity:<12}: 95 % interval holds {name:<20} {tally}");
         }
     }
+    for (k, name) in NAMES.iter().take(4).enumerate() {
+        let sum = |of: fn(&Tally) -> usize| covered.iter().map(|tallies| of(&tallies[k])).sum();
+        let all = Tally { hits: sum(|tally| tally.hits), of: sum(|tally| tally.of) };
+        println!("all         : 95 % interval holds {name:<20} {all}");
+    }
     println!("acts, 5 standard errors beside all laws: named  {named}");
     println!("acts, 5 standard errors in the true mix: chosen {named_alone}");
     println!("does not act, but named                         {absent}");

@@ -249,7 +249,10 @@ impl Fits {
         how: Intervals,
     ) -> [(Option<f64>, Option<f64>); 7] {
         let fitted = free.iter().filter(|&&free| free).count() as f64;
-        let quantile = student((self.effective - fitted).max(3.0));
+        // Where the noise hangs together, its power at one frequency is known only as well as n/2F values
+        // tell it: so for x = φ x' + e, from the variance of φ.
+        let share = if self.excess.of_amplitude > 1.1 { 0.5 } else { 1.0 };
+        let quantile = student((share * self.effective - fitted).max(4.0));
         let variance = variance(minimum, free, self.problem.len(), self.excess);
         let refits = match how {
             Intervals::Bootstrap(bootstrap) => {
