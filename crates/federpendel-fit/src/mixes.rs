@@ -32,7 +32,6 @@ pub fn within(small: Mix, large: Mix) -> bool {
 
 /// Fits every mix of the `allowed` laws, the largest first.
 pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Option<Vec<Fitted>> {
-    let half = look.map_or(f64::INFINITY, |look| look.half);
     problem.spread = (problem.quantity == Quantity::Acceleration).then(|| problem.step());
     let seen = look.and_then(|look| turns_seen(problem, look));
     let mixes = start::mixes(allowed);
@@ -47,30 +46,33 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
         let found = refine(problem, &from, mix, seen, worth);
         fitted.extend(found.map(|minimum| Fitted { mix, minimum }));
     }
-    // A law more never fits worse: where a search ended too high, the smaller mix shows the way.
-    let half_seen = half.is_finite().then_some(seen).flatten();
-    for i in (0..fitted.len()).rev() {
-        for j in 0..i {
-            let (small, large) = (fitted[i], fitted[j]);
-            let lower = small.minimum.normal.cost < large.minimum.normal.cost * (1.0 - 1e-9);
-            if within(small.mix, large.mix) && lower {
-                let ending = if large.mix.coulomb && !small.mix.coulomb {
-                    Ending::Natural
-                } else {
-                    small.minimum.ending
-                };
-                let from = Minimum { ending, ..small.minimum };
-                let again = refine(problem, &from, large.mix, half_seen, None);
-                if let Some(minimum) = again
-                    && minimum.normal.cost < large.minimum.normal.cost
-                {
-                    fitted[j].minimum = minimum;
-                }
-            }
-        }
+    let order =
+        (0..fitted.len()).rev().flat_map(|small| (0..small).map(move |large| (small, large)));
+    for (small, large) in order {
+        lead(problem, &mut fitted, small, large, seen);
     }
     problem.spread = None;
     Some(fitted)
+}
+
+/// A law more never fits worse: where the search of the larger mix ended too high, the smaller one shows
+/// it the way.
+fn lead(
+    problem: &mut Problem,
+    fitted: &mut [Fitted],
+    small: usize,
+    large: usize,
+    seen: Option<u64>,
+) {
+    let (Fitted { mix, minimum }, other) = (fitted[small], fitted[large]);
+    let lower = minimum.normal.cost < other.minimum.normal.cost * (1.0 - 1e-9);
+    if !within(mix, other.mix) || !lower {
+        return;
+    }
+    let again = refine(problem, &minimum, other.mix, seen, None);
+    if let Some(again) = again.filter(|again| again.normal.cost < other.minimum.normal.cost) {
+        fitted[large].minimum = again;
+    }
 }
 
 /// The number of turning points that the extremes show, if rest follows them.
