@@ -6,7 +6,7 @@ use crate::Quantity;
 use crate::extremes::Look;
 use crate::growing::grow;
 use crate::least_squares::{Effort, Minimum, minimise, solve};
-use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
+use crate::problem::{Ending, LAWS, Normal, OMEGA, Problem, Vector};
 use crate::{jumps, start, stop};
 
 /// A fitted mix.
@@ -36,14 +36,16 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
     let seen = look.and_then(|look| turns_seen(problem, look));
     let mixes = start::mixes(allowed);
     let mut fitted: Vec<Fitted> = Vec::new();
+    let mut lowest = None;
     for &mix in mixes.iter().rev() {
         let from = if fitted.is_empty() {
             first(problem, look, allowed)?
         } else {
             nearest(problem, look, &fitted, mix)?
         };
-        let worth = fitted.first().map(|largest| largest.minimum.normal.cost);
-        let found = refine(problem, &from, mix, seen, worth);
+        let found = refine(problem, &from, mix, seen, lowest);
+        // With jumps spread, as the sums that it is held against.
+        lowest = lowest.or(found.and_then(|found| problem.normal(&found.at, found.ending)));
         fitted.extend(found.map(|minimum| Fitted { mix, minimum }));
     }
     let order =
@@ -82,20 +84,20 @@ fn turns_seen(problem: &Problem, look: &Look) -> Option<u64> {
     rests.then_some(look.extremes.len() as u64)
 }
 
-/// The minimum of a mix near `from`. `best` is the lowest sum of squares so far: fits far above it
-/// are not worth the search between jumps.
+/// The minimum of a mix near `from`. `lowest` is the lowest sum of squares so far: fits far above it are
+/// not worth the search between jumps.
 fn refine(
     problem: &mut Problem,
     from: &Minimum,
     mix: Mix,
     seen: Option<u64>,
-    best: Option<f64>,
+    lowest: Option<Normal>,
 ) -> Option<Minimum> {
     let free = free(mix);
     if mix.coulomb {
         let found = stop::search(problem, from, &free, seen)?;
         let hopeless = 1.0 + HOPELESS / problem.len() as f64;
-        let near = best.is_none_or(|best| found.normal.cost < hopeless * best);
+        let near = lowest.is_none_or(|lowest| found.normal.cost < hopeless * lowest.cost);
         Some(jumps::settle(problem, found, &free, near))
     } else {
         minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)
