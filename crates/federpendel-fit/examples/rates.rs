@@ -2,7 +2,8 @@
 //!
 //!     cargo run --release -p federpendel-fit --example rates -- [N] [seed] [correlation]
 //!
-//! N recordings (1,000) from a seed (1); `correlation` is that of neighbouring values of the noise (0).
+//! N recordings (1,000) from a seed (1); `correlation` is that of neighbouring values of the noise
+//! (0).
 
 use std::time::Instant;
 
@@ -131,6 +132,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for (tally, name) in tallies.iter().zip(NAMES) {
             println!("{quantity:<12}: 95 % interval holds {name:<20} {tally}");
         }
+    }
+    for (k, name) in NAMES.iter().take(4).enumerate() {
+        let sum = |of: fn(&Tally) -> usize| covered.iter().map(|tallies| of(&tallies[k])).sum();
+        let all = Tally { hits: sum(|tally| tally.hits), of: sum(|tally| tally.of) };
+        println!("all         : 95 % interval holds {name:<20} {all}");
     }
     println!("acts, 5 standard errors beside all laws: named  {named}");
     println!("acts, 5 standard errors in the true mix: chosen {named_alone}");

@@ -1,9 +1,11 @@
-//! Whether the oscillator fits at all: the residuals searched for what a wrong model leaves in them.
+//! Whether the oscillator fits at all: the residuals searched for what a wrong model leaves in
+//! them.
 //!
-//! Not χ² against a stated σ: noise that is larger than stated, or that hangs together, is no fault of
-//! the model. A wrong model leaves a pattern that goes with the motion: a phase that drifts, an amplitude that
-//! goes astray, a shape. Each is a small linear model of the residuals beside the parameters themselves; what it explains
-//! is judged by its significance against the noise that is left and by its size against the motion.
+//! Not χ² against a stated σ: noise that is larger than stated, or that hangs together, is no fault
+//! of the model. A wrong model leaves a pattern that goes with the motion: a phase that drifts, an
+//! amplitude that goes astray, a shape. Each is a small linear model of the residuals beside the
+//! parameters themselves; what it explains is judged by its significance against the noise that is
+//! left and by its size against the motion.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -40,8 +42,8 @@ pub struct Finding {
     pub share: f64,
     /// χ² per degree of freedom, against the noise that is left.
     pub significance: f64,
-    /// For the period: its relative change from the widest swing to none, or over the recording; for losses: the
-    /// largest relative error of the amplitude; else the size.
+    /// Softening and hardening: the relative change of the frequency from the smallest swings to the
+    /// widest. Else the largest value of the pattern, over that of the motion.
     pub effect: f64,
     /// Whether it is so large that no mix of the laws describes the motion.
     pub grave: bool,
@@ -58,7 +60,8 @@ pub struct Adequacy {
     pub residual: f64,
 }
 
-/// A pattern counts from this χ² per degree of freedom on: beyond what noise does, its spectrum being an estimate.
+/// A pattern counts from this χ² per degree of freedom on: beyond what noise does, its spectrum
+/// being an estimate.
 const SIGNIFICANT: f64 = 6.0;
 /// A pattern with this share of the motion means that the model is wrong, not merely not perfect.
 const GRAVE: f64 = 0.04;
@@ -92,7 +95,7 @@ pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> O
         if significance.is_nan() || significance < SIGNIFICANT {
             continue;
         }
-        let (fault, effect) = patterns.named(*fault, &found.weights, size);
+        let (fault, effect) = patterns.named(*fault, &found);
         let grave = size > GRAVE && share > MAIN;
         findings.push(Finding { fault, size, share, significance, effect, grave });
     }
@@ -243,21 +246,17 @@ impl Patterns {
     }
 
     /// The fault by its name and the effect in its own measure.
-    fn named(&self, fault: Fault, weights: &[f64], size: f64) -> (Fault, f64) {
-        let polynomial = |u: f64| -> f64 {
-            weights.iter().enumerate().map(|(i, w)| w * legendre(i + 1, u)).sum()
-        };
-        match fault {
+    fn named(&self, fault: Fault, found: &Explained) -> (Fault, f64) {
+        if fault == Fault::Softening {
             // The weight is the relative change of frequency at the widest swing.
-            Fault::Softening if weights[0] < 0.0 => (Fault::Softening, -weights[0]),
-            Fault::Softening => (Fault::Hardening, weights[0]),
-            Fault::Losses => {
-                let worst =
-                    self.unit_times.iter().map(|&u| polynomial(u).abs()).fold(0.0, f64::max);
-                (fault, worst)
-            }
-            _ => (fault, size),
+            let change = found.weights[0];
+            return (if change < 0.0 { fault } else { Fault::Hardening }, change.abs());
         }
+        let largest =
+            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |l, x| l.max(x.abs()));
+        let pattern =
+            largest(&mut self.residuals.iter().zip(&found.left).map(|(r, left)| r - left));
+        (fault, pattern / largest(&mut self.swing.iter().copied()))
     }
 }
 

@@ -6,9 +6,9 @@ use crate::problem::{LAWS, Matrix, Vector};
 
 /// The covariance of the `free` parameters of a fit to `count` values.
 ///
-/// The variance of one value is that of the residuals, whatever the recording states; residuals that hang
-/// together count as [`crate::noise`] says. A coefficient that ended at zero counts as free: that it could not fall below makes
-/// the others no surer.
+/// The variance of one value is that of the residuals, whatever the recording states; residuals
+/// that hang together count as [`crate::noise`] says. A coefficient that ended at zero counts as
+/// free: that it could not fall below makes the others no surer.
 pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Excess) -> Matrix {
     let information = &minimum.normal.information;
     let scale = Vector::from_fn(|i, _| information[(i, i)].sqrt());
@@ -32,8 +32,8 @@ pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Exc
     })
 }
 
-/// The variance of one value, from the residuals. The parameters take from noise that hangs together as
-/// much as from so many fewer independent values.
+/// The variance of one value, from the residuals. The parameters take from noise that hangs
+/// together as much as from so many fewer independent values.
 pub fn variance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Excess) -> f64 {
     let fitted = free.iter().filter(|&&free| free).count() as f64;
     let count = count as f64;
@@ -48,9 +48,23 @@ pub fn student(freedom: f64) -> f64 {
     z + g1 / freedom + g2 / (freedom * freedom)
 }
 
-/// The 95 % interval of parameter `i` from its standard error: coefficients have no part below zero.
+/// The 95 % interval of parameter `i` from its standard error: coefficients have no part below
+/// zero.
 pub fn interval(value: f64, stderr: f64, i: usize, quantile: f64) -> (f64, f64) {
     let low = value - quantile * stderr;
     let low = if LAWS.contains(&i) { low.max(0.0) } else { low };
     (low, value + quantile * stderr)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_those_of_tables() {
+        // Abramowitz & Stegun, table 26.10.
+        for (freedom, t) in [(5.0, 2.571), (10.0, 2.228), (30.0, 2.042), (120.0, 1.980)] {
+            assert!((student(freedom) / t - 1.0).abs() < 0.01, "{freedom}: {}", student(freedom));
+        }
+    }
 }

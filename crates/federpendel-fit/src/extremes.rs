@@ -14,8 +14,8 @@ pub struct Extreme {
 /// What a first look at a recording finds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Look {
-    /// Alternating maxima and minima that stand out of the noise; the last is where it comes to rest
-    /// if it does.
+    /// Alternating maxima and minima that stand out of the noise; the last is where it comes to
+    /// rest if it does.
     pub extremes: Vec<Extreme>,
     /// The recording, smoothed over a small part of a swing.
     pub smooth: Vec<f64>,
@@ -27,10 +27,12 @@ pub struct Look {
     pub left: f64,
 }
 
-/// Smoothing and parabolas reach this share of half a period to either side: cos changes there by an
-/// eighth of its height, and the shape is the same at every extreme, so that amplitudes keep their ratios.
+/// Smoothing and parabolas reach this share of half a period to either side: cos changes there by
+/// an eighth of its height, and the shape is the same at every extreme, so that amplitudes keep
+/// their ratios.
 const REACH: f64 = 0.2;
-/// A value this many standard deviations of the noise off its neighbours is an outlier to a first look.
+/// A value this many standard deviations of the noise off its neighbours is an outlier to a first
+/// look.
 const OUTLIER: f64 = 8.0;
 
 /// Looks at `values` at rising `times`; none if they never move or turn less than twice.
@@ -41,7 +43,8 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     if range <= 0.0 {
         return None;
     }
-    // At first only the widest turns, which noise does not feign; then all, smoothed to their measure.
+    // At first only the widest turns, which noise does not feign; then all, smoothed to their
+    // measure.
     let wide = [0.35, 0.2].iter().map(|share| turns(values, share * range));
     let wide = wide.into_iter().find(|found| found.len() >= 3)?;
     let mut half = spacing(times, &wide)?;
@@ -68,8 +71,8 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     Some(Look { extremes, smooth, half, noise, left })
 }
 
-/// The standard deviation of the noise, as second differences over neighbours show it; an upper bound where the
-/// sampling is coarse. Their median sees no steps and no outliers.
+/// The standard deviation of the noise, as second differences over neighbours show it; an upper
+/// bound where the sampling is coarse. Their median sees no steps and no outliers.
 fn fast_noise(values: &[f64]) -> f64 {
     let mut second: Vec<f64> =
         values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
@@ -96,8 +99,8 @@ pub fn bounds(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)))
 }
 
-/// The indices between which `values` run by more than `threshold` before they turn back: alternating
-/// maxima and minima, the first and last values left out if nothing turns there.
+/// The indices between which `values` run by more than `threshold` before they turn back:
+/// alternating maxima and minima, the first and last values left out if nothing turns there.
 fn turns(values: &[f64], threshold: f64) -> Vec<usize> {
     let mut found = Vec::new();
     let (mut low, mut high) = (0, 0);
@@ -156,7 +159,8 @@ fn smoothed(times: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
     times.iter().map(&mut mean).collect()
 }
 
-/// Standard deviations of the noise of the values and of what smoothing over `within` of them leaves.
+/// Standard deviations of the noise of the values and of what smoothing over `within` of them
+/// leaves.
 fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
     let mut removed: Vec<f64> =
         values.iter().zip(smooth).map(|(value, smooth)| (value - smooth).abs()).collect();
@@ -165,7 +169,8 @@ fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
     (noise, noise / within.max(1.0).sqrt())
 }
 
-/// The vertex of the parabola through the values within `reach` of index `i`, at least five of them.
+/// The vertex of the parabola through the values within `reach` of index `i`, at least five of
+/// them.
 fn vertex(times: &[f64], values: &[f64], i: usize, reach: f64) -> Extreme {
     let (mut first, mut end) = (i.saturating_sub(2), (i + 3).min(times.len()));
     while first > 0 && times[first - 1] >= times[i] - reach {
@@ -190,5 +195,35 @@ fn vertex(times: &[f64], values: &[f64], i: usize, reach: f64) -> Extreme {
     } else {
         // Flat, as at rest: the mean level.
         Extreme { time: times[i], value: c[0] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_of_a_decay_are_found() {
+        let times: Vec<f64> = (0..2000).map(|i| 3.0 + 0.01 * f64::from(i)).collect();
+        let value = |t: f64| 5.0 + (-0.05 * (t - 3.0)).exp() * (3.0 * (t - 3.0)).sin();
+        let mut values: Vec<f64> = times.iter().map(|&t| value(t)).collect();
+        // One outlier changes nothing.
+        values[700] += 30.0;
+        let look = look(&times, &values).expect("it turns");
+        let half = std::f64::consts::PI / 3.0;
+        assert!((look.half / half - 1.0).abs() < 0.01, "{}", look.half);
+        assert_eq!(look.extremes.len(), 19);
+        for (n, extreme) in look.extremes.iter().enumerate() {
+            let exact = 3.0 + (n as f64 + 0.5) * half - 0.05 / 9.0;
+            assert!((extreme.time - exact).abs() < 0.01, "{n}: {extreme:?} {exact}");
+            assert!((extreme.value - value(exact)).abs() < 0.01, "{n}: {extreme:?}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_turn_has_no_extremes() {
+        let times: Vec<f64> = (0..100).map(f64::from).collect();
+        assert!(look(&times, &times).is_none());
+        assert!(look(&times, &[1.0; 100]).is_none());
     }
 }

@@ -8,7 +8,7 @@ use crate::adequacy::{adequacy, noise};
 use crate::bootstrap;
 use crate::covariance::{covariance, interval, student, variance};
 use crate::error::FitError;
-use crate::extremes::median;
+use crate::extremes::{look, median};
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
@@ -27,8 +27,8 @@ const FEWEST: usize = 12;
 
 /// Fits every mix of the allowed laws to a recording of a free decay, from a cold start.
 ///
-/// # Errors
-/// [`FitError`] if the recording or an option is out of range, if nothing moves, or if no search came to an end.
+/// # Errors [`FitError`] if the recording or an option is out of range, if nothing moves, or if no
+/// search came to an end.
 pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitError> {
     check(recording, options)?;
     let mut found = find(recording, options.from, options.to);
@@ -37,11 +37,12 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
         // A hand that let go late, or the like, spoils the first values: without them once more.
         let Some(first) = fits.misfit(&found.window, options) else { break };
         let Window { end, ends, .. } = found.window;
-        found.window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
-        found.look =
-            crate::extremes::look(&recording.times[first..end], &recording.values[first..end])
-                .or(found.look);
-        fits = Fits::new(recording, &found, options)?;
+        let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
+        let part = (&recording.times[first..end], &recording.values[first..end]);
+        let look = look(part.0, part.1).or(found.look.clone());
+        let shorter = Found { window, look };
+        let Ok(again) = Fits::new(recording, &shorter, options) else { break };
+        (found, fits) = (shorter, again);
     }
     fits.report(recording, found.window, options)
 }
@@ -124,8 +125,9 @@ impl Fits {
         &self.fitted[0]
     }
 
-    /// The index from which on the recording fits, if its first values do not belong to the motion: over the
-    /// first eighth of a period, or over the first swing, the residuals are far larger than after it.
+    /// The index from which on the recording fits, if its first values do not belong to the motion:
+    /// over the first eighth of a period, or over the first swing, the residuals are far larger
+    /// than after it.
     fn misfit(&mut self, window: &Window, options: &Options) -> Option<usize> {
         if options.from.is_some() {
             return None;
@@ -140,7 +142,8 @@ impl Fits {
             let part = &residuals[from..to];
             (part.iter().map(|r| r * r).sum::<f64>() / part.len().max(1) as f64).sqrt()
         };
-        // How long the part is, how many times larger its residuals, and where the window begins without it.
+        // How long the part is, how many times larger its residuals, and where the window begins
+        // without it.
         for (part, times, without) in [(0.25, 3.0, 0.6), (1.0, 2.0, 1.0)] {
             let (end, later) = (index(part), index(part + 4.0));
             let enough = end >= 2 && later >= end + FEWEST && self.problem.len() >= 2 * later;
@@ -246,7 +249,10 @@ impl Fits {
         how: Intervals,
     ) -> [(Option<f64>, Option<f64>); 7] {
         let fitted = free.iter().filter(|&&free| free).count() as f64;
-        let quantile = student((self.effective - fitted).max(3.0));
+        // Where the noise hangs together, its power at one frequency is known only as well as n/2F values
+        // tell it: so for x = φ x' + e, from the variance of φ.
+        let share = if self.excess.of_amplitude > 1.1 { 0.5 } else { 1.0 };
+        let quantile = student((share * self.effective - fitted).max(4.0));
         let variance = variance(minimum, free, self.problem.len(), self.excess);
         let refits = match how {
             Intervals::Bootstrap(bootstrap) => {
@@ -257,7 +263,8 @@ impl Fits {
             }
             _ => vec![],
         };
-        // Where values change sides at jumps, the sum of squares has steps that a profile stumbles over.
+        // Where values change sides at jumps, the sum of squares has steps that a profile stumbles
+        // over.
         let jumps = self.problem.quantity == Quantity::Acceleration && minimum.at[COULOMB] > 0.0;
         std::array::from_fn(|i| {
             let stderr = spread[(i, i)].sqrt();
@@ -303,7 +310,8 @@ fn correlations(spread: &Matrix, used: &[usize]) -> Vec<Vec<f64>> {
     used.iter().map(|&i| used.iter().map(|&j| one(i, j)).collect()).collect()
 }
 
-/// The fits again with a loss that outliers do not sway; the scale is that of the residuals' median.
+/// The fits again with a loss that outliers do not sway; the scale is that of the residuals'
+/// median.
 fn robust(problem: &mut Problem, fitted: &[Fitted], loss: Loss) -> Vec<Fitted> {
     use crate::least_squares::{Effort, minimise};
     let mut fitted = fitted.to_vec();

@@ -1,7 +1,8 @@
 //! From start values to the whole recording: a window that grows.
 //!
-//! Started on the whole, a search ends in a wrong minimum as soon as the phase is off by half a turn
-//! at the far end. Over few swings it cannot be; and what few swings tell is good for some more.
+//! Started on the whole, a search ends in a wrong minimum as soon as the phase is off by half a
+//! turn at the far end. Over few swings it cannot be; and what few swings tell is good for some
+//! more.
 
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::problem::{Ending, Problem, Vector};

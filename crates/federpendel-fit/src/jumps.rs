@@ -1,15 +1,17 @@
 //! Minima between the jumps of an acceleration.
 //!
-//! Dry friction makes the acceleration jump by 2a_c at every turning point. A value recorded close to one
-//! changes sides as the parameters move, and the sum of squares jumps: it has many small minima
-//! around the lowest. With the jumps spread over some values it is smooth; its minimum shows the way.
+//! Dry friction makes the acceleration jump by 2a_c at every turning point. A value recorded close
+//! to one changes sides as the parameters move, and the sum of squares jumps: it has many small
+//! minima around the lowest. With the jumps spread over some values it is smooth; its minimum shows
+//! the way.
 
 use crate::Quantity;
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::model::Course;
 use crate::problem::{COULOMB, Ending, OMEGA, Problem, Vector};
 
-/// The lowest minimum found around `minimum`, where the recording has such jumps; only the nearest if not `thoroughly`.
+/// The lowest minimum found around `minimum`, where the recording has such jumps; only the nearest
+/// if not `thoroughly`.
 pub fn settle(
     problem: &mut Problem,
     minimum: Minimum,
@@ -23,8 +25,8 @@ pub fn settle(
     };
     let mut at = minimum.at;
     let mut best = hard(problem, &at, Effort::COARSE);
-    // Ever steeper: where the lowest minimum lies at the very edge of where a value changes sides, none of
-    // the searches with sharp jumps could slide along that edge.
+    // Ever steeper: where the lowest minimum lies at the very edge of where a value changes sides,
+    // none of the searches with sharp jumps could slide along that edge.
     let steeper: &[f64] = if thoroughly { &[3.0, 1.0, 0.3, 0.1, 0.03, 0.01] } else { &[] };
     for share in steeper {
         problem.spread = Some(share * spread);
@@ -43,7 +45,8 @@ pub fn settle(
 
 const BRIEF: Effort = Effort { steps: 3, gain: 1e-1 };
 
-/// A value of the model whose jump is spread: value and derivatives as they were and as they are now.
+/// A value of the model whose jump is spread: value and derivatives as they were and as they are
+/// now.
 pub struct Change {
     /// Which value.
     pub index: usize,
@@ -53,8 +56,8 @@ pub struct Change {
     pub is: (f64, Vector),
 }
 
-/// The values within `half` seconds of a jump, with the jump spread evenly over that time to both sides.
-/// Leaves the model and derivatives of the problem at `p`.
+/// The values within `half` seconds of a jump, with the jump spread evenly over that time to both
+/// sides. Leaves the model and derivatives of the problem at `p`.
 pub fn spread(problem: &mut Problem, p: &Vector, ending: Ending, half: f64) -> Option<Vec<Change>> {
     // v = 0 at the jump: with the parameters it moves by −(∂v/∂θ)/a.
     let quantity = std::mem::replace(&mut problem.quantity, Quantity::Velocity);

@@ -131,3 +131,43 @@ pub fn minimise(
     }
     Some(Minimum { at, normal, ending, reason })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [bool; 7] = [true; 7];
+
+    /// ½ Σ h_i (x_i − c_i)², coupled by `coupling` between the first two laws.
+    fn bowl(at: &Vector, centre: &Vector, coupling: f64) -> Normal {
+        let mut information = Matrix::identity();
+        information[(1, 2)] = coupling;
+        information[(2, 1)] = coupling;
+        let away = centre - at;
+        let gradient = information * away;
+        Normal { cost: away.dot(&gradient), gradient, information }
+    }
+
+    #[test]
+    fn a_step_stays_where_coefficients_may_be() {
+        let centre = Vector::from([2.0, -1.0, 3.0, 0.5, -4.0, 5.0, 6.0]);
+        let at = Vector::from([1.0, 0.5, 0.1, 0.2, 0.0, 0.0, 0.0]);
+        let (step, expected) =
+            bounded_step(&bowl(&at, &centre, 0.3), &at, &ALL, 0.0).expect("solvable");
+        let end = at + step;
+        assert!(LAWS.iter().all(|&i| end[i] >= 0.0) && end[1] == 0.0, "{end}");
+        // With the first at zero the coupled one moves: its own minimum is c2 + 0.3 (c1 − 0).
+        assert!((end[2] - (3.0 - 0.3)).abs() < 1e-9, "{end}");
+        let fell = bowl(&at, &centre, 0.3).cost - bowl(&end, &centre, 0.3).cost;
+        assert!((fell - expected).abs() < 1e-9 * fell, "{fell} {expected}");
+    }
+
+    #[test]
+    fn a_coefficient_at_zero_stays_if_the_slope_holds_it_there() {
+        let at = Vector::from([1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        let centre = Vector::from([1.0, -1.0, 2.0, 0.0, 0.0, 0.0, 0.0]);
+        let (step, _) = bounded_step(&bowl(&at, &centre, 0.0), &at, &ALL, 0.0).expect("solvable");
+        assert_eq!(step[1], 0.0);
+        assert!((step[2] - 2.0).abs() < 1e-9);
+    }
+}

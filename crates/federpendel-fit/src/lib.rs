@@ -1,4 +1,33 @@
 //! From a recording of a free decay to the friction that acts: which laws, how strongly, how sure.
+//!
+//! [`fit`] takes a [`Recording`] from a cold start to a [`FitReport`]:
+//!
+//! 1. the part that is a free decay (`window`), its turning points (`extremes`), and start values from
+//!    the loss of amplitude per swing or from a grid (`start`);
+//! 2. bounded least squares (`least_squares`) over a window that grows (`growing`), then for every number of
+//!    turning points until rest (`stop`), and between the jumps of an acceleration (`jumps`); every mix of
+//!    laws starts from the others (`mixes`);
+//! 3. how much residuals that hang together count (`noise`), which laws that leaves (`ranking`), standard errors
+//!    and intervals (`covariance`, `profile`, `bootstrap`), whether the oscillator fits at all
+//!    (`adequacy`), and from which amplitude a further recording would tell more (`reach`).
+//!
+//! ```
+//! use federpendel_fit::{Options, Quantity, Recording, fit};
+//!
+//! // Positions in m every 20 ms: 0.1 m e^(−0.2 t) cos 6t, and some noise.
+//! let times: Vec<f64> = (0..500).map(|i| 0.02 * f64::from(i)).collect();
+//! let noise = |t: f64| 1e-4 * (1e5 * t * t).sin();
+//! let values = times.iter().map(|t| 0.1 * (-0.2 * t).exp() * (6.0 * t).cos() + noise(*t)).collect();
+//! let recording = Recording { times, values, quantity: Quantity::Position, unit: "m".to_owned() };
+//!
+//! let report = fit(&recording, &Options::default())?;
+//! let best = report.best().expect("the verdict's mix is among the models");
+//! assert_eq!(best.mix.to_string(), "stokes");
+//! let rate = best.parameter("damping_rate").expect("Stokes friction has one");
+//! assert!(rate.value.is_some_and(|value| (value - 0.2).abs() < 1e-3));
+//! assert!(report.adequacy.adequate);
+//! # Ok::<(), federpendel_fit::FitError>(())
+//! ```
 
 pub mod adequacy;
 mod bootstrap;

@@ -6,7 +6,7 @@ use crate::Quantity;
 use crate::extremes::Look;
 use crate::growing::grow;
 use crate::least_squares::{Effort, Minimum, minimise, solve};
-use crate::problem::{Ending, LAWS, OMEGA, Problem, Vector};
+use crate::problem::{Ending, LAWS, Normal, OMEGA, Problem, Vector};
 use crate::{jumps, start, stop};
 
 /// A fitted mix.
@@ -32,45 +32,49 @@ pub fn within(small: Mix, large: Mix) -> bool {
 
 /// Fits every mix of the `allowed` laws, the largest first.
 pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Option<Vec<Fitted>> {
-    let half = look.map_or(f64::INFINITY, |look| look.half);
     problem.spread = (problem.quantity == Quantity::Acceleration).then(|| problem.step());
     let seen = look.and_then(|look| turns_seen(problem, look));
     let mixes = start::mixes(allowed);
     let mut fitted: Vec<Fitted> = Vec::new();
+    let mut lowest = None;
     for &mix in mixes.iter().rev() {
         let from = if fitted.is_empty() {
             first(problem, look, allowed)?
         } else {
             nearest(problem, look, &fitted, mix)?
         };
-        let worth = fitted.first().map(|largest| largest.minimum.normal.cost);
-        let found = refine(problem, &from, mix, seen, worth);
+        let found = refine(problem, &from, mix, seen, lowest);
+        // With jumps spread, as the sums that it is held against.
+        lowest = lowest.or(found.and_then(|found| problem.normal(&found.at, found.ending)));
         fitted.extend(found.map(|minimum| Fitted { mix, minimum }));
     }
-    // A law more never fits worse: where a search ended too high, the smaller mix shows the way.
-    let half_seen = half.is_finite().then_some(seen).flatten();
-    for i in (0..fitted.len()).rev() {
-        for j in 0..i {
-            let (small, large) = (fitted[i], fitted[j]);
-            let lower = small.minimum.normal.cost < large.minimum.normal.cost * (1.0 - 1e-9);
-            if within(small.mix, large.mix) && lower {
-                let ending = if large.mix.coulomb && !small.mix.coulomb {
-                    Ending::Natural
-                } else {
-                    small.minimum.ending
-                };
-                let from = Minimum { ending, ..small.minimum };
-                let again = refine(problem, &from, large.mix, half_seen, None);
-                if let Some(minimum) = again
-                    && minimum.normal.cost < large.minimum.normal.cost
-                {
-                    fitted[j].minimum = minimum;
-                }
-            }
-        }
+    let order =
+        (0..fitted.len()).rev().flat_map(|small| (0..small).map(move |large| (small, large)));
+    for (small, large) in order {
+        lead(problem, &mut fitted, small, large, seen);
     }
     problem.spread = None;
     Some(fitted)
+}
+
+/// A law more never fits worse: where the search of the larger mix ended too high, the smaller one shows
+/// it the way.
+fn lead(
+    problem: &mut Problem,
+    fitted: &mut [Fitted],
+    small: usize,
+    large: usize,
+    seen: Option<u64>,
+) {
+    let (Fitted { mix, minimum }, other) = (fitted[small], fitted[large]);
+    let lower = minimum.normal.cost < other.minimum.normal.cost * (1.0 - 1e-9);
+    if !within(mix, other.mix) || !lower {
+        return;
+    }
+    let again = refine(problem, &minimum, other.mix, seen, None);
+    if let Some(again) = again.filter(|again| again.normal.cost < other.minimum.normal.cost) {
+        fitted[large].minimum = again;
+    }
 }
 
 /// The number of turning points that the extremes show, if rest follows them.
@@ -80,20 +84,20 @@ fn turns_seen(problem: &Problem, look: &Look) -> Option<u64> {
     rests.then_some(look.extremes.len() as u64)
 }
 
-/// The minimum of a mix near `from`. `best` is the lowest sum of squares so far: fits far above it are not
-/// worth the search between jumps.
+/// The minimum of a mix near `from`. `lowest` is the lowest sum of squares so far: fits far above it are
+/// not worth the search between jumps.
 fn refine(
     problem: &mut Problem,
     from: &Minimum,
     mix: Mix,
     seen: Option<u64>,
-    best: Option<f64>,
+    lowest: Option<Normal>,
 ) -> Option<Minimum> {
     let free = free(mix);
     if mix.coulomb {
         let found = stop::search(problem, from, &free, seen)?;
         let hopeless = 1.0 + HOPELESS / problem.len() as f64;
-        let near = best.is_none_or(|best| found.normal.cost < hopeless * best);
+        let near = lowest.is_none_or(|lowest| found.normal.cost < hopeless * lowest.cost);
         Some(jumps::settle(problem, found, &free, near))
     } else {
         minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)
@@ -162,7 +166,8 @@ fn as_each_law(start: &Vector, allowed: Mix) -> Vec<Vector> {
     (0..3).filter(|&i| start::laws(allowed)[i]).map(one).collect()
 }
 
-/// The best point to start `mix` from: the larger mixes with their other laws taken away, and the losses.
+/// The best point to start `mix` from: the larger mixes with their other laws taken away, and the
+/// losses.
 fn nearest(
     problem: &mut Problem,
     look: Option<&Look>,
@@ -192,8 +197,8 @@ fn nearest(
     tried.min_by(|a, b| a.normal.cost.total_cmp(&b.normal.cost))
 }
 
-/// `minimum` with the laws that are not `free` taken away and the rest moved as the quadratic model of
-/// the sum of squares says.
+/// `minimum` with the laws that are not `free` taken away and the rest moved as the quadratic model
+/// of the sum of squares says.
 fn without(minimum: &Minimum, free: &[bool; 7]) -> Option<Vector> {
     let mut gone = Vector::zeros();
     LAWS.iter().filter(|&&i| !free[i]).for_each(|&i| gone[i] = -minimum.at[i]);

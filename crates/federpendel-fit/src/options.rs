@@ -26,14 +26,15 @@ pub struct Options {
     pub from: Option<f64>,
     /// Time at which it ends, s; found if not given.
     pub to: Option<f64>,
-    /// Standard deviation of a value, if known: χ² is measured in it. Uncertainties come from the residuals.
+    /// Standard deviation of a value, if known: χ² is measured in it. Uncertainties come from the
+    /// residuals.
     pub sigma: Option<f64>,
     /// How residuals count.
     pub loss: Loss,
     /// How intervals are found.
     pub intervals: Intervals,
-    /// Whether they are found so for every mix; else the mixes beside the verdict's have those from their
-    /// standard errors.
+    /// Whether they are found so for every mix; else the mixes beside the verdict's have those from
+    /// their standard errors.
     pub every_mix: bool,
 }
 

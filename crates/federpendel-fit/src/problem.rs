@@ -282,3 +282,26 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     }
     sums.iter().sum::<f64>() + rest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_a_motion_stays_as_its_start_passes_a_turning_point() {
+        // Just before the turning point at the start it is one more to the end than just after.
+        for sign in [1.0, -1.0] {
+            let at = |v: f64| Vector::from([1.0, 0.0, 0.1, 0.0, sign, sign * v, 0.0]);
+            let ending = Ending::after(5, &at(-1e-3));
+            assert_eq!(ending.stop(&at(-1e-3)), Stop::After(5));
+            assert_eq!(ending.stop(&at(1e-3)), Stop::After(6));
+            assert_eq!(ending.stop(&at(0.0)), Stop::After(5));
+        }
+    }
+
+    #[test]
+    fn eight_sums_are_one() {
+        let a: Vec<f64> = (0..37).map(f64::from).collect();
+        assert_eq!(dot(&a, &a), (0..37).map(|i| f64::from(i * i)).sum::<f64>());
+    }
+}

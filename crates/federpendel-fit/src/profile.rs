@@ -7,7 +7,8 @@ use crate::problem::{LAWS, Problem, Vector};
 /// What a profile is measured in.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {
-    /// What one unit of χ² is in the sum of squares: the variance of a value times the excess of its noise.
+    /// What one unit of χ² is in the sum of squares: the variance of a value times the excess of
+    /// its noise.
     pub unit: f64,
     /// The standard error of the parameter, for the first guess.
     pub stderr: f64,

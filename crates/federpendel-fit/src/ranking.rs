@@ -25,8 +25,8 @@ pub struct Criteria {
     pub bic: f64,
 }
 
-/// The criteria of a fit with `fitted` parameters to values that tell as much as `effective` independent
-/// ones; the variance counts as a parameter too.
+/// The criteria of a fit with `fitted` parameters to values that tell as much as `effective`
+/// independent ones; the variance counts as a parameter too.
 pub fn criteria(mean_square: f64, fitted: usize, effective: f64) -> Criteria {
     let k = (fitted + 1) as f64;
     let fit = effective * mean_square.ln();
@@ -53,13 +53,13 @@ pub enum Standing {
 pub struct Verdict {
     /// The simplest mix that is not rejected; of equally simple ones that which fits best.
     pub mix: Mix,
-    /// Other mixes that are not rejected and of which no part is: the recording does not tell them from
-    /// the first.
+    /// Other mixes that are not rejected and of which no part is: the recording does not tell them
+    /// from the first.
     pub alternatives: Vec<Mix>,
     /// How Stokes, Coulomb and Newton friction stand, in this order.
     pub laws: [Standing; 3],
-    /// The probability of a likelihood ratio as high as that for the law beside all others, if it did not
-    /// act; none where it was not allowed.
+    /// The probability of a likelihood ratio as high as that for the law beside all others, if it
+    /// did not act; none where it was not allowed.
     pub p_values: [Option<f64>; 3],
 }
 
@@ -111,8 +111,9 @@ fn size(mix: Mix) -> usize {
 
 /// The probability of a likelihood ratio as high, if the smaller mix is right.
 ///
-/// Coefficients cannot fall below zero, so each law more adds a χ² only every other time: ½χ²₀ + ½χ²₁ for
-/// one (Chernoff 1954), binomial weights for more (Self & Liang 1987, for independent coefficients).
+/// Coefficients cannot fall below zero, so each law more adds a χ² only every other time: ½χ²₀ +
+/// ½χ²₁ for one (Chernoff 1954), binomial weights for more (Self & Liang 1987, for independent
+/// coefficients).
 fn p_value(small: &Candidate, large: &Candidate, effective: f64) -> f64 {
     let ratio = if large.cost > 0.0 {
         (effective * (small.cost / large.cost).ln()).max(0.0)
@@ -139,7 +140,8 @@ fn tails(x: f64) -> [f64; 3] {
     [one, two, one + (2.0 * x / std::f64::consts::PI).sqrt() * two]
 }
 
-/// The complementary error function for x ≥ 0, to 1.2e-7 of itself (Press et al., Numerical Recipes, 6.2).
+/// The complementary error function for x ≥ 0, to 1.2e-7 of itself (Press et al., Numerical
+/// Recipes, 6.2).
 fn erfc(x: f64) -> f64 {
     const C: [f64; 10] = [
         -1.26551223,

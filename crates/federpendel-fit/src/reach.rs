@@ -16,12 +16,14 @@ pub struct Reach {
     pub mixes: [Mix; 2],
     /// The amplitude of the recording, in its unit of length.
     pub amplitude: f64,
-    /// Released from at least here, and recorded with the same sampling and noise down to the amplitudes of this
-    /// one, the motion would tell which; none if not even a hundred times the amplitude did.
+    /// Released from at least here, and recorded with the same sampling and noise down to the
+    /// amplitudes of this one, the motion would tell which; none if not even a hundred times the
+    /// amplitude did.
     pub from: Option<f64>,
 }
 
-/// At this many standard errors a coefficient is seen at the level of the verdict nine times of ten.
+/// At this many standard errors a coefficient is seen at the level of the verdict nine times of
+/// ten.
 const SEEN: f64 = 3.6;
 
 /// Most values of a recording that is only imagined.
@@ -38,8 +40,8 @@ fn decay_time(p: &Vector, high: f64, low: f64) -> f64 {
     (0..PIECES).map(piece).sum()
 }
 
-/// The amplitude that tells the mix of `minimum` from `other`: where the coefficients that only the one has
-/// would stand out beside those that only the other has. `variance` is that of one value.
+/// The amplitude that tells the mix of `minimum` from `other`: where the coefficients that only the
+/// one has would stand out beside those that only the other has. `variance` is that of one value.
 pub fn reach(
     problem: &Problem,
     minimum: &Minimum,
@@ -76,13 +78,11 @@ pub fn reach(
         let spread = covariance(&there, &free(both), probe.len(), excess);
         own.iter().any(|&i| scaled[i] > SEEN * spread[(i, i)].sqrt())
     };
-    // Doubling, then halving the gap.
-    let mut high = 1.0;
-    while high < 100.0 && !seen(high) {
-        high *= 1.5;
-    }
-    let from = seen(high).then(|| {
-        let mut low: f64 = high / 1.5;
+    // Upwards by halves, then halving the last gap.
+    let factors = std::iter::successors(Some(1.0), |factor| Some(factor * 1.5));
+    let found = factors.take_while(|&factor| factor < 100.0).find(|&factor| seen(factor));
+    let from = found.map(|mut high: f64| {
+        let mut low = (high / 1.5).max(1.0);
         for _ in 0..4 {
             let middle = (low * high).sqrt();
             if seen(middle) { high = middle } else { low = middle }

@@ -16,10 +16,12 @@ pub enum Quantity {
 pub struct Recording {
     /// Times, s, rising strictly; they need not be even.
     pub times: Vec<f64>,
-    /// The value at each time, finite; in SI where the unit is known, else in units of the recording.
+    /// The value at each time, finite; in SI where the unit is known, else in units of the
+    /// recording.
     pub values: Vec<f64>,
     /// What the values are.
     pub quantity: Quantity,
-    /// Unit of the values: an SI unit if it is understood, else what the file says; empty if it says nothing.
+    /// Unit of the values: an SI unit if it is understood, else what the file says; empty if it
+    /// says nothing.
     pub unit: String,
 }

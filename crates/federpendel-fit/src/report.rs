@@ -20,7 +20,8 @@ pub struct Parameter {
     pub value: Option<f64>,
     /// Its standard error; none where it is not known.
     pub stderr: Option<f64>,
-    /// Its 95 % interval, open where an end is none. That of a coefficient begins at zero where zero fits.
+    /// Its 95 % interval, open where an end is none. That of a coefficient begins at zero where
+    /// zero fits.
     pub interval95: (Option<f64>, Option<f64>),
     /// Whether it ended at the edge of what is allowed, zero.
     pub at_bound: bool,

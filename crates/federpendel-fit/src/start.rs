@@ -83,8 +83,8 @@ pub fn effective_rate(p: &Vector, amplitude: f64) -> f64 {
     if amplitude > 0.0 { loss * omega / (PI * amplitude) } else { 0.0 }
 }
 
-/// State and zero from a linear fit of a damped oscillation over the first `span` seconds; with the sum
-/// of squares that it leaves there.
+/// State and zero from a linear fit of a damped oscillation over the first `span` seconds; with the
+/// sum of squares that it leaves there.
 pub fn state(problem: &Problem, omega: f64, rate: f64, span: f64) -> Option<(Vector, f64)> {
     let begin = problem.times[0];
     let rows = |time: f64| {
@@ -149,8 +149,8 @@ pub fn with(problem: &Problem, half: f64, coefficients: [f64; 3]) -> Option<Vect
     Some(start)
 }
 
-/// Starts for strongly damped motions, which turn too seldom to tell a period: the best of a grid of
-/// linear oscillators over frequency and damping, the rest of each in closed form.
+/// Starts for strongly damped motions, which turn too seldom to tell a period: the best of a grid
+/// of linear oscillators over frequency and damping, the rest of each in closed form.
 pub fn grid(problem: &Problem) -> Vec<Vector> {
     const RATIOS: [f64; 9] = [0.02, 0.06, 0.12, 0.25, 0.45, 0.7, 1.0, 1.6, 3.0];
     let stride = problem.len().div_ceil(200);

@@ -1,14 +1,14 @@
 //! When dry friction ends the motion: refits for each number of turning points until then.
 //!
-//! The sum of squares jumps where the number changes, so no search by slopes finds it; with the number
-//! given it is smooth.
+//! The sum of squares jumps where the number changes, so no search by slopes finds it; with the
+//! number given it is smooth.
 
 use crate::least_squares::{Effort, Minimum, minimise, solve};
 use crate::model::Stop;
 use crate::problem::{COULOMB, Ending, LAWS, OMEGA, Problem, Vector};
 
-/// The best of the minima with the natural rule and with rest after each number of turning points near
-/// `seen` and near what the natural rule gives; downhill in that number.
+/// The best of the minima with the natural rule and with rest after each number of turning points
+/// near `seen` and near what the natural rule gives; downhill in that number.
 pub fn search(
     problem: &mut Problem,
     start: &Minimum,
@@ -21,7 +21,8 @@ pub fn search(
         candidates.push((turn, near));
     } else {
         let ending = |number| Ending::after(number, &best.at);
-        // Its own rest, or the last turning point: the mass may hold there, too near the end to be seen.
+        // Its own rest, or the last turning point: the mass may hold there, too near the end to be
+        // seen.
         let course = problem.course(&best.at, best.ending, false)?;
         let last = course.rest.map_or(course.turning_points.len() as u64, |rest| rest.number);
         let numbers = [last].into_iter().chain(seen).filter(|&number| number > 0);
@@ -59,8 +60,8 @@ pub fn search(
     minimise(problem, &best.at, free, best.ending, Effort::FINE)
 }
 
-/// `minimum`, or beside it, where the mass goes on to the end that `ending` says: kinetic friction may hold
-/// it before that, and is lowered then, the other parameters following.
+/// `minimum`, or beside it, where the mass goes on to the end that `ending` says: kinetic friction
+/// may hold it before that, and is lowered then, the other parameters following.
 fn slack(
     problem: &mut Problem,
     minimum: &Minimum,
@@ -97,8 +98,8 @@ pub struct Rest {
     pub position: f64,
     /// How many turning points it took from the beginning of the window, the rest among them.
     pub turning_points: u64,
-    /// μ_s F_N/m lies between these: the mass held here, and not one turning point earlier (none: no
-    /// earlier one is known).
+    /// μ_s F_N/m lies between these: the mass held here, and not one turning point earlier (none:
+    /// no earlier one is known).
     pub static_acceleration: (f64, Option<f64>),
     /// Whether the rest needs a static friction above the kinetic one.
     pub static_above_kinetic: bool,

@@ -20,7 +20,8 @@ pub enum Edge {
     Still,
     /// After this something else moves the mass.
     Disturbed,
-    /// After this swings no longer shrink: something else keeps the mass in motion, as the ground does.
+    /// After this swings no longer shrink: something else keeps the mass in motion, as the ground
+    /// does.
     Unrest,
 }
 
@@ -119,8 +120,8 @@ fn widest(extremes: &[Extreme]) -> f64 {
     extremes.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).fold(0.0, f64::max)
 }
 
-/// Where the recorded quantity ends up: its level at the end if it is still there, else the middle between
-/// the last extremes.
+/// Where the recorded quantity ends up: its level at the end if it is still there, else the middle
+/// between the last extremes.
 fn middle(look: &Look, widest: f64) -> f64 {
     let end = &look.smooth[look.smooth.len() - look.smooth.len().div_ceil(5)..];
     let (low, high) = bounds(end);
@@ -136,7 +137,8 @@ fn middle(look: &Look, widest: f64) -> f64 {
 fn still_until(times: &[f64], look: &Look, width: f64) -> f64 {
     let band = 0.02 * width + 4.0 * look.left;
     let until = look.smooth.iter().position(|value| (value - look.smooth[0]).abs() > band);
-    // The smoothed values set off earlier by the reach of smoothing; that is made up for in `start`.
+    // The smoothed values set off earlier by the reach of smoothing; that is made up for in
+    // `start`.
     until.map_or(times[0], |i| times[i])
 }
 

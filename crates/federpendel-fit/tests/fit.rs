@@ -293,3 +293,14 @@ fn noise_alone_makes_no_panic() {
         }
     }
 }
+
+#[test]
+fn only_allowed_laws_are_fitted() {
+    let recording = recorded(&truth(), even(10.0, 1000), 0.01, 4);
+    for (laws, models) in [(Mix::default(), 1), (STOKES, 2), (Mix { newton: true, ..STOKES }, 4)] {
+        let report = fit(&recording, &Options { laws, ..Options::default() }).expect("fits");
+        assert_eq!(report.models.len(), models);
+        assert_eq!(report.verdict.mix.stokes, laws.stokes);
+        assert_eq!(report.verdict.laws[1], Standing::Excluded);
+    }
+}

@@ -47,30 +47,28 @@ fn fitted(name: &str, quantity: Quantity) -> Option<FitReport> {
     Some(report)
 }
 
+/// What a person would want to see of it: `cargo test -p federpendel-fit --test real -- --nocapture`.
 fn show(name: &str, report: &FitReport) {
-    println!("\n{name}: {:?}", report.window);
-    println!("n {} effective {:.0}", report.samples, report.effective_samples);
+    let window = report.window;
+    println!(
+        "\n{name}: {} s {:?} to {} s {:?}",
+        window.from, window.begins, window.to, window.ends
+    );
+    println!("{} values, as good as {:.0}", report.samples, report.effective_samples);
     for model in &report.models {
-        let c = &model.criteria;
         print!(
-            "{:>24} aicc {:9.1} bic {:9.1} rms {:.5} {:?} ",
+            "{:>22} AICc {:9.1} rms {:.5}",
             model.mix.to_string(),
-            c.aicc,
-            c.bic,
-            model.rms,
-            model.stop_reason
+            model.criteria.aicc,
+            model.rms
         );
-        for p in &model.parameters[..model.parameters.len().min(7)] {
-            print!(
-                " {}={:.5}±{:.5}",
-                &p.name[..4],
-                p.value.unwrap_or(f64::NAN),
-                p.stderr.unwrap_or(f64::NAN)
-            );
+        for p in model.parameters.iter().take(4) {
+            let (value, stderr) = (p.value.unwrap_or(f64::NAN), p.stderr.unwrap_or(f64::NAN));
+            print!("  {} {value:.5} ± {stderr:.5}", p.name);
         }
-        println!(" {:?}", model.rest.map(|r| (r.turning_points, r.time, r.static_acceleration)));
+        println!();
     }
-    println!("{:?}\n{:#?}\n{:?}", report.verdict, report.adequacy, report.reaches);
+    println!("{:?}\n{:?}\n{:?}", report.verdict, report.adequacy, report.reaches);
 }
 
 #[test]
