@@ -19,7 +19,8 @@ const LARGEST_RECORDING: usize = 4 << 30;
 
 pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure> {
     // Files to write must not be those that are read.
-    let subject = Subject { experiment: arguments.recordings.first().cloned(), overrides: Vec::new() };
+    let subject =
+        Subject { experiment: arguments.recordings.first().cloned(), overrides: Vec::new() };
     let targets = Targets::check(&subject, &arguments.results, &Format::OF_FITS, catalogue)?;
     let options = options(arguments, catalogue)?;
     let mut fitted = Vec::new();
@@ -82,12 +83,14 @@ fn name(file: &str, read: &Read) -> String {
 fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failure> {
     let time = |name: &str, written: &Option<String>| {
         let value = |written: &String| {
-            parse(written, Dimension::Time).map_err(|error| refused(name, written, &error, catalogue))
+            parse(written, Dimension::Time)
+                .map_err(|error| refused(name, written, &error, catalogue))
         };
         written.as_ref().map(value).transpose()
     };
     let sigma = |written: &String| {
-        parse(written, Dimension::Number).map_err(|error| refused("sigma", written, &error, catalogue))
+        parse(written, Dimension::Number)
+            .map_err(|error| refused("sigma", written, &error, catalogue))
     };
     Ok(Options {
         laws: laws(arguments.laws.as_deref(), catalogue)?,
@@ -127,7 +130,9 @@ fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Mix, Failure> {
                     "newton" => mix.newton = true,
                     other => {
                         let variables = [("value", other.into())];
-                        return Err(Failure::Input(catalogue.format("fit-laws-refused", &variables)));
+                        return Err(Failure::Input(
+                            catalogue.format("fit-laws-refused", &variables),
+                        ));
                     }
                 }
             }

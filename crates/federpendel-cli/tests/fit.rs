@@ -49,7 +49,8 @@ fn the_built_in_experiment_is_found_again() {
 #[test]
 fn every_quantity_tells_of_stokes_friction() {
     for noise in ["0.5 mm", "3 mm/s", "2 cm/s^2"] {
-        let arguments = ["--kinetic", "0", "--damping", "0.1 kg/s", "--noise", noise, "--seed", "2"];
+        let arguments =
+            ["--kinetic", "0", "--damping", "0.1 kg/s", "--noise", noise, "--seed", "2"];
         let fit = fitted(&arguments, &[]);
         assert_eq!(laws(&fit), ["stokes"], "{noise}");
         assert!(distance(&fit, "damping_rate", 0.1) < 4.0, "{noise}: {fit}");

@@ -2,9 +2,9 @@
 
 mod reader;
 
-use reader::{fails, label, labels, read, read_with};
 use federpendel_fit::Quantity;
 use federpendel_fit::read::{Choice, Clock, Decimal, Note, ReadError, Rows, Separator};
+use reader::{fails, label, labels, read, read_with};
 
 fn choice(value: &str) -> Choice {
     Choice { value: Some(value.to_owned()), ..Choice::default() }

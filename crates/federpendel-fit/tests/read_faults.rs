@@ -2,8 +2,8 @@
 
 mod reader;
 
-use reader::{fails, read};
 use federpendel_fit::read::{Choice, Field, Found, Note, ReadError, Rows, recordings};
+use reader::{fails, read};
 
 fn rows(count: usize, first_line: usize) -> Rows {
     Rows { count, first_line }

@@ -32,7 +32,8 @@ impl Fitted {
         let window = report.window.first..report.window.end;
         let values = &read.recording.values[window];
         // The residuals are value minus model.
-        let curve = values.iter().zip(&report.residuals).map(|(value, left)| value - left).collect();
+        let curve =
+            values.iter().zip(&report.residuals).map(|(value, left)| value - left).collect();
         Fitted { name, read, report, curve }
     }
 
@@ -73,7 +74,8 @@ impl Fitted {
             Quantity::Acceleration => ("fit-quantity-acceleration", "a"),
         };
         let quantity = catalogue.text(id);
-        let variables = [("name", self.name.as_str().into()), ("quantity", quantity.as_str().into())];
+        let variables =
+            [("name", self.name.as_str().into()), ("quantity", quantity.as_str().into())];
         let title = catalogue.format("fit-title", &variables);
         let data = RecordingData {
             title: &title,

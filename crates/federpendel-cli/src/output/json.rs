@@ -14,10 +14,10 @@ use federpendel_text::Catalogue;
 use serde::Serialize;
 use serde_json::Serializer;
 
+use super::fit::Fitted;
 use crate::comparison::Comparison;
 use crate::record::Record;
 use crate::score::Score;
-use super::fit::Fitted;
 use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;

@@ -604,7 +604,7 @@ cli-fit-examples =
       federpendel fit aufzeichnung.csv
       federpendel fit phyphox.zip --value "Acceleration y" --details
       federpendel fit *.txt --format json > anpassungen.json
-      federpendel fit aufzeichnung.csv --laws stokes,coulomb --from "1,2 s" -o anpassung.svg -o anpassung.json
+      federpendel fit aufzeichnung.csv --laws stokes,coulomb -o anpassung.svg -o anpassung.json
 cli-value-recordings = AUFZEICHNUNG…
 cli-value-column = SPALTE
 cli-fit-recordings = Dateien, wie Messprogramme sie schreiben: Text mit Kommas, Semikolons, Tabulatoren oder Leerzeichen, .zip, .xlsx, .xls
@@ -654,14 +654,13 @@ fit-row-frequency = Eigenfrequenz
 fit-row-damping-ratio = Dämpfungsgrad
 fit-row-window = angepasster Teil
 fit-window-value = { $from } bis { $to }, { $samples } Werte
-fit-row-residual = Rest (quadratisches Mittel)
+fit-row-residual = Residuum (quadratisches Mittel)
 fit-row-begins = Grund des Anfangs
 fit-row-ends = Grund des Endes
 fit-row-column = Spalte
 fit-heading-models = Gemische, nach AICc
-fit-model-row = AICc { $aicc }, BIC { $bic }, Rest { $rms }
+fit-model-row = AICc { $aicc }, BIC { $bic }, Residuum { $rms }
 fit-row-evaluations = Auswertungen des Modells
 fit-row-reduced = reduziertes χ²
 fit-row-chi = χ²
 fit-interval = { $value } (95 %: { $low } bis { $high })
-fit-none = keine

@@ -664,4 +664,3 @@ fit-row-evaluations = evaluations of the model
 fit-row-reduced = reduced χ²
 fit-row-chi = χ²
 fit-interval = { $value } (95 %: { $low } to { $high })
-fit-none = none

@@ -37,7 +37,8 @@ impl Plot {
             data.times[range.clone()].iter().copied().zip(data.values[range].iter().copied())
         };
         let outside = [0..inside.start, inside.end..data.values.len()];
-        for (place, range) in outside.into_iter().enumerate().filter(|(_, range)| !range.is_empty()) {
+        for (place, range) in outside.into_iter().enumerate().filter(|(_, range)| !range.is_empty())
+        {
             let name = if place == 0 { catalogue.text("plot-not-fitted") } else { String::new() };
             plot.add(name, Role::Sticking, Style::DOTTED, pairs(range));
         }
@@ -50,7 +51,8 @@ impl Plot {
         let fit = data.times[inside].iter().copied().zip(data.fitted.iter().copied());
         plot.add(catalogue.text("plot-fit"), Role::Comparison(1), Style::LONG_DASHED, fit);
         let (low, high) = extremes(data.values);
-        let duration = data.times.last().copied().unwrap_or(0.0) - data.times.first().copied().unwrap_or(0.0);
+        let duration =
+            data.times.last().copied().unwrap_or(0.0) - data.times.first().copied().unwrap_or(0.0);
         plot.description = catalogue.format(
             "plot-recording-description",
             &[
@@ -67,8 +69,11 @@ impl Plot {
     /// Recorded minus fitted, over the fitted part.
     pub fn residuals(catalogue: &Catalogue, data: &RecordingData<'_>) -> Self {
         let inside = data.first..data.first + data.fitted.len();
-        let residuals: Vec<f64> =
-            data.values[inside.clone()].iter().zip(data.fitted).map(|(value, fit)| value - fit).collect();
+        let residuals: Vec<f64> = data.values[inside.clone()]
+            .iter()
+            .zip(data.fitted)
+            .map(|(value, fit)| value - fit)
+            .collect();
         let mut plot = frame(catalogue, data, &residuals);
         let square = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len().max(1) as f64;
         plot.description = catalogue.format(

@@ -39,7 +39,8 @@ fn options(catalogue: &Catalogue) -> Vec<Arg> {
     let arguments = vec![
         named("time", "cli-value-column", "cli-fit-time"),
         named("value", "cli-value-column", "cli-fit-value"),
-        choice("quantity", QUANTITIES.map(|(name, _)| name), catalogue).help(catalogue.text("cli-fit-quantity")),
+        choice("quantity", QUANTITIES.map(|(name, _)| name), catalogue)
+            .help(catalogue.text("cli-fit-quantity")),
         named("run", "cli-value-name", "cli-fit-run"),
         named("laws", "cli-value-names", "cli-fit-laws"),
         named("from", "cli-value-quantity", "cli-fit-from"),

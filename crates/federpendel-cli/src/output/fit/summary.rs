@@ -60,11 +60,24 @@ fn table<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
         table.row("fit-row-damping-ratio", catalogue.measured(gamma / omega, error / omega, "1"));
     }
     for parameter in &model.parameters {
-        let id = format!("fit-parameter-{}", parameter.name.replace('_', "-"));
-        table.row(&id, value(fit, parameter, catalogue));
+        table.row(parameter_name(parameter), value(fit, parameter, catalogue));
     }
     table.row("fit-row-residual", catalogue.quantity(model.rms, &report.unit, 3));
     table
+}
+
+/// The sentence that names a parameter.
+fn parameter_name(parameter: &Parameter) -> &'static str {
+    match parameter.name {
+        "angular_frequency" => "fit-parameter-angular-frequency",
+        "damping_rate" => "fit-parameter-damping-rate",
+        "coulomb_acceleration" => "fit-parameter-coulomb-acceleration",
+        "newton_rate" => "fit-parameter-newton-rate",
+        "position0" => "fit-parameter-position0",
+        "velocity0" => "fit-parameter-velocity0",
+        "static_acceleration" => "fit-parameter-static-acceleration",
+        _ => "fit-parameter-equilibrium",
+    }
 }
 
 /// A value and its standard error, where both are known.
@@ -109,8 +122,7 @@ fn details(
                 ("low", low.into()),
                 ("high", high.into()),
             ];
-            let id = format!("fit-parameter-{}", parameter.name.replace('_', "-"));
-            table.row(&id, catalogue.format("fit-interval", &variables));
+            table.row(parameter_name(parameter), catalogue.format("fit-interval", &variables));
         }
         table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
         table.row("fit-row-reduced", catalogue.number(model.reduced, 5));

@@ -6,9 +6,19 @@ use federpendel_text::Catalogue;
 
 use super::Fitted;
 
-/// The laws with the parameter that says how strongly each acts, in the order of the verdict.
-const LAWS: [(&str, &str); 3] =
-    [("stokes", "damping_rate"), ("coulomb", "coulomb_acceleration"), ("newton", "newton_rate")];
+/// The laws, each with the parameter that says how strongly it acts, in the order of the verdict.
+const LAWS: [Law; 3] = [
+    Law { name: "article-law-stokes", acts: "fit-law-stokes", parameter: "damping_rate" },
+    Law { name: "article-law-coulomb", acts: "fit-law-coulomb", parameter: "coulomb_acceleration" },
+    Law { name: "article-law-newton", acts: "fit-law-newton", parameter: "newton_rate" },
+];
+
+/// A law: the sentences that name it and say how strongly it acts, and its parameter.
+struct Law {
+    name: &'static str,
+    acts: &'static str,
+    parameter: &'static str,
+}
 
 /// The verdict: what acts and how strongly, what is not needed, what cannot be told, what is wrong.
 pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
@@ -18,9 +28,9 @@ pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<S
         sentences.push(wrong(fit, catalogue));
     }
     sentences.extend(report.best().map(|model| acting(fit, model, catalogue)));
-    for ((law, _), standing) in LAWS.iter().zip(report.verdict.laws) {
+    for (law, standing) in LAWS.iter().zip(report.verdict.laws) {
         if standing == Standing::NotNeeded {
-            let law = catalogue.text(&format!("article-law-{law}"));
+            let law = catalogue.text(law.name);
             sentences.push(catalogue.format("fit-not-needed", &[("law", law.into())]));
         }
     }
@@ -32,7 +42,8 @@ pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<S
             Some(from) => {
                 let amplitude = catalogue.quantity(from, &fit.length_unit(), 2);
                 let [one, other] = pair;
-                catalogue.format("fit-cannot-separate", &[one, other, ("amplitude", amplitude.into())])
+                catalogue
+                    .format("fit-cannot-separate", &[one, other, ("amplitude", amplitude.into())])
             }
             None => catalogue.format("fit-never-separates", &pair),
         });
@@ -49,11 +60,11 @@ pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<S
 fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
     let mix = fit.report.verdict.mix;
     let acts = [mix.stokes, mix.coulomb, mix.newton];
-    let laws = LAWS.iter().zip(acts).filter(|(_, acts)| *acts).filter_map(|((law, name), _)| {
-        let parameter = model.parameter(name)?;
+    let laws = LAWS.iter().zip(acts).filter(|(_, acts)| *acts).filter_map(|(law, _)| {
+        let parameter = model.parameter(law.parameter)?;
         let error = parameter.stderr.unwrap_or(f64::NAN);
-        let value = catalogue.measured(parameter.value?, error, &fit.unit(name));
-        Some(catalogue.format(&format!("fit-law-{law}"), &[("value", value.into())]))
+        let value = catalogue.measured(parameter.value?, error, &fit.unit(law.parameter));
+        Some(catalogue.format(law.acts, &[("value", value.into())]))
     });
     let joined = laws.reduce(|one, other| {
         catalogue.format("fit-and", &[("one", one.into()), ("other", other.into())])

@@ -116,7 +116,10 @@ fn fields(fit: &Fitted, catalogue: &Catalogue) -> Option<FitFields> {
             evaluations: report.evaluations,
         },
         models: report.models.iter().map(model).collect(),
-        rest: best.rest.as_ref().map(|rest| RestFields { time: rest.time, position: rest.position }),
+        rest: best
+            .rest
+            .as_ref()
+            .map(|rest| RestFields { time: rest.time, position: rest.position }),
         window: WindowFields { from: report.window.from, to: report.window.to },
     })
 }
