@@ -1,6 +1,6 @@
 //! From a recording of a free decay to the friction that acts: which laws, how strongly, how sure.
 //!
-//! [`fit`] takes a [`Recording`] from a cold start to a [`FitReport`]:
+//! [`fit()`] takes a [`Recording`] from a cold start to a [`FitReport`]:
 //!
 //! 1. the part that is a free decay (`window`), its turning points (`extremes`), and start values from
 //!    the loss of amplitude per swing or from a grid (`start`);

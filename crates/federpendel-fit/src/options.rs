@@ -17,7 +17,7 @@ pub enum Intervals {
     Bootstrap(Bootstrap),
 }
 
-/// Choices for [`crate::fit`].
+/// Choices for [`crate::fit()`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The laws that may act; every part of them is fitted.
