@@ -59,6 +59,8 @@ impl Fitted {
         let per = |divisor: &str| format!("{length}/{divisor}");
         match parameter {
             "coulomb_acceleration" | "static_acceleration" => per("s^2"),
+            // A pure number stays one.
+            "newton_rate" if length == "1" => length,
             "newton_rate" => format!("1/{length}"),
             "position0" => length,
             "velocity0" => per("s"),

@@ -25,7 +25,8 @@ pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<S
     let report = &fit.report;
     let mut sentences = Vec::new();
     if !report.adequacy.adequate {
-        sentences.push(wrong(fit, catalogue));
+        // What acts cannot be told from a motion that no mix describes.
+        return vec![wrong(fit, catalogue)];
     }
     sentences.extend(report.best().map(|model| acting(fit, model, catalogue)));
     for (law, standing) in LAWS.iter().zip(report.verdict.laws) {
