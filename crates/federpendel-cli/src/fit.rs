@@ -7,7 +7,7 @@ use federpendel_fit::read::{Choice, Read, recordings};
 use federpendel_fit::{FitReport, Intervals, Options, fit};
 use federpendel_text::Catalogue;
 
-use crate::args::{Fit, Subject};
+use crate::args::Fit;
 use crate::failure::{Failure, note};
 use crate::load;
 use crate::output::{self, Fitted, Format, Targets};
@@ -18,28 +18,30 @@ use crate::words::{fit_error, quantity_problem, read_error, read_note};
 const LARGEST_RECORDING: usize = 4 << 30;
 
 pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure> {
-    // Files to write must not be those that are read.
-    let subject =
-        Subject { experiment: arguments.recordings.first().cloned(), overrides: Vec::new() };
-    let targets = Targets::check(&subject, &arguments.results, &Format::OF_FITS, catalogue)?;
+    let targets =
+        Targets::check(&arguments.recordings, &arguments.results, &Format::OF_FITS, catalogue)?;
     let options = options(arguments, catalogue)?;
     let mut fitted = Vec::new();
-    let mut failed = None;
+    let mut failed: Option<Failure> = None;
     for path in &arguments.recordings {
         match one(path, arguments, &options, catalogue) {
             Ok(found) => fitted.extend(found),
-            Err(failure) if arguments.recordings.len() == 1 => return Err(failure),
-            // A bad file does not stop those behind it.
+            // A bad file does not stop those behind it; the last one may still be all there is to say.
             Err(failure) => {
-                failure.report(catalogue);
-                failed.get_or_insert(failure);
+                if let Some(before) = failed.replace(failure) {
+                    before.report(catalogue);
+                }
             }
         }
     }
     match failed {
-        Some(failure) if fitted.is_empty() => Err(failure),
-        _ => output::write_fits(&fitted, &targets, catalogue),
+        Some(failure) if fitted.is_empty() => return Err(failure),
+        Some(failure) => {
+            failure.report(catalogue);
+        }
+        None => {}
     }
+    output::write_fits(&fitted, &targets, catalogue)
 }
 
 /// All recordings of a file, fitted.

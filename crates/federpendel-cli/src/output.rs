@@ -114,10 +114,15 @@ pub(crate) fn write(
     let progress = Progress::writing(catalogue);
     whole::write(&targets.files, catalogue, |format, out| report.render(format, style, out))?;
     drop(progress);
+    say_written(targets, catalogue);
+    to_stdout(|out| report.render(targets.stdout, style, out), catalogue)
+}
+
+/// Names the files that were written.
+fn say_written(targets: &Targets, catalogue: &Catalogue) {
     for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
         note(&catalogue.format("cli-written", &[("name", path.into())]));
     }
-    to_stdout(|out| report.render(targets.stdout, style, out), catalogue)
 }
 
 /// JSON lists every turning point; a file that never ends helps nobody.

@@ -92,6 +92,22 @@ fn a_bad_file_does_not_stop_the_others() {
 }
 
 #[test]
+fn no_recording_is_overwritten_and_no_refusal_said_twice() {
+    let workplace = Workplace::new();
+    workplace.run(&["simulate", "--noise", "1 mm", "-o", "a.csv"]);
+    workplace.write("b.json", b"a recording of another name");
+    let finished = workplace.run(&["fit", "a.csv", "b.json", "-o", "b.json"]);
+    assert_eq!(finished.status, Some(2), "{}", finished.err);
+    assert_eq!(workplace.read("b.json"), b"a recording of another name");
+    workplace.write("empty.csv", b"");
+    let finished = workplace.run(&["fit", "b.json", "empty.csv"]);
+    assert_eq!(finished.status, Some(2), "{}", finished.err);
+    for name in ["b.json", "empty.csv"] {
+        assert_eq!(finished.err.matches(name).count(), 1, "{}", finished.err);
+    }
+}
+
+#[test]
 fn what_is_no_recording_is_refused() {
     let workplace = Workplace::new();
     workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use federpendel::Mix;
 use federpendel_fit::model::{Jacobian, evaluate};
-use federpendel_fit::{FitReport, Options, Standing, Stop, fit};
+use federpendel_fit::{FitReport, Options, Parameters, Standing, Stop, fit};
 
 #[path = "../tests/synthetic/mod.rs"]
 mod synthetic;
@@ -35,15 +35,7 @@ impl std::fmt::Display for Tally {
     }
 }
 
-const NAMES: [&str; 7] = [
-    "angular_frequency",
-    "damping_rate",
-    "coulomb_acceleration",
-    "newton_rate",
-    "position0",
-    "velocity0",
-    "equilibrium",
-];
+const NAMES: [&str; 7] = Parameters::NAMES;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);

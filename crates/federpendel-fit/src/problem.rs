@@ -13,15 +13,7 @@ pub type Vector = SVector<f64, 7>;
 pub type Matrix = SMatrix<f64, 7, 7>;
 
 /// The parameters by name, in the order of [`Vector`].
-pub const NAMES: [&str; 7] = [
-    "angular_frequency",
-    "damping_rate",
-    "coulomb_acceleration",
-    "newton_rate",
-    "position0",
-    "velocity0",
-    "equilibrium",
-];
+pub const NAMES: [&str; 7] = Parameters::NAMES;
 /// Where ω0 stands.
 pub const OMEGA: usize = 0;
 /// Where the coefficients of friction stand: Stokes, Coulomb, Newton.

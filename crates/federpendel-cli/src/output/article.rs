@@ -9,8 +9,8 @@ use federpendel_report::html;
 use federpendel_text::Catalogue;
 
 use super::targets::Targets;
-use super::{Format, json, to_stdout, whole};
-use crate::failure::{Failure, note};
+use super::{Format, json, say_written, to_stdout, whole};
+use crate::failure::Failure;
 
 /// The checks of the article's claims, and what they are about.
 pub(crate) struct ArticleReport<'a> {
@@ -31,9 +31,7 @@ impl ArticleReport<'_> {
         let paths = targets.files.iter().map(|(path, _)| path.clone());
         let files: Vec<_> = paths.zip(&contents).collect();
         whole::write(&files, catalogue, |content, out| out.write_all(content))?;
-        for (path, _) in &files {
-            note(&catalogue.format("cli-written", &[("name", path.display().to_string().into())]));
-        }
+        say_written(targets, catalogue);
         to_stdout(
             |out| match targets.stdout {
                 Format::Json => json::write_article(self.checks, catalogue, out),

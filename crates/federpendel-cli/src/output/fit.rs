@@ -11,8 +11,8 @@ use federpendel_text::Catalogue;
 use federpendel_text::plot::{Plot, RecordingData};
 
 use super::targets::Targets;
-use super::{Format, json, plot, to_stdout, whole};
-use crate::failure::{Failure, note};
+use super::{Format, json, plot, say_written, to_stdout, whole};
+use crate::failure::Failure;
 pub(super) use verdict::sentences;
 
 /// A recording and its fit.
@@ -113,9 +113,7 @@ pub(crate) fn write_fits(
         (Format::Json, _) => json::write_fits(fits, catalogue, out),
         _ => Err(io::ErrorKind::Unsupported.into()),
     })?;
-    for (path, _) in &targets.files {
-        note(&catalogue.format("cli-written", &[("name", path.display().to_string().into())]));
-    }
+    say_written(targets, catalogue);
     to_stdout(
         |out| match targets.stdout {
             Format::Json => json::write_fits(fits, catalogue, out),

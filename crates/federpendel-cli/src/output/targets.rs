@@ -6,7 +6,7 @@ use federpendel_text::Catalogue;
 use federpendel_text::plot::draw::Background;
 
 use super::{Dialect, Format};
-use crate::args::{Results, Subject};
+use crate::args::Results;
 use crate::failure::Failure;
 
 /// The name of standard output among files.
@@ -28,19 +28,19 @@ pub(crate) struct Targets {
 }
 
 impl Targets {
-    /// Takes the targets from the results; files can have one of the `forms`, and the first of them is written to
+    /// Takes the targets from the results, none of which may be a file that is `read`; files can have one of the `forms`, and the first of them is written to
     /// standard output if that is named as a file.
     ///
     /// # Errors
     /// An extension that no form has, a folder, the same file twice.
     pub(crate) fn check(
-        subject: &Subject,
+        read: &[PathBuf],
         results: &Results,
         forms: &[Format],
         catalogue: &Catalogue,
     ) -> Result<Self, Failure> {
         let mut files: Vec<(PathBuf, Format)> = Vec::new();
-        let mut taken: Vec<PathBuf> = subject.experiment.iter().map(|path| real(path)).collect();
+        let mut taken: Vec<PathBuf> = read.iter().map(|path| real(path)).collect();
         let mut asks_stdout = false;
         for path in &results.outputs {
             let name = path.display().to_string();

@@ -20,6 +20,17 @@ pub struct Parameters {
 }
 
 impl Parameters {
+    /// Their names, in the order of the fields.
+    pub const NAMES: [&str; 7] = [
+        "angular_frequency",
+        "damping_rate",
+        "coulomb_acceleration",
+        "newton_rate",
+        "position0",
+        "velocity0",
+        "equilibrium",
+    ];
+
     /// How many there are.
     pub const COUNT: usize = 7;
 
