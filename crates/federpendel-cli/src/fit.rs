@@ -5,14 +5,15 @@ use std::path::Path;
 use federpendel::Mix;
 use federpendel_fit::read::{Choice, Read, recordings};
 use federpendel_fit::{FitReport, Intervals, Options, fit};
+use federpendel_report::recording::{Fitted, fit_error, read_error, read_note};
 use federpendel_text::Catalogue;
 
 use crate::args::Fit;
 use crate::failure::{Failure, note};
 use crate::load;
-use crate::output::{self, Fitted, Format, Targets};
+use crate::output::{self, Format, Targets};
 use crate::quantity::{Dimension, parse};
-use crate::words::{fit_error, quantity_problem, read_error, read_note};
+use crate::words::quantity_problem;
 
 /// Largest recording that is read, bytes.
 const LARGEST_RECORDING: usize = 4 << 30;

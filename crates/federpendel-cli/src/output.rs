@@ -16,7 +16,7 @@ pub(crate) use article::ArticleReport;
 pub(crate) use comparison::ComparisonReport;
 pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
-pub(crate) use fit::{Fitted, write_fits};
+pub(crate) use fit::write_fits;
 pub(crate) use motion::MotionReport;
 pub use motion::Picture as MotionPicture;
 pub(crate) use score::write_score;

@@ -12,13 +12,13 @@ pub(crate) use samples::{Column, Fault, LARGEST_FILE, LARGEST_NUMBER};
 
 use std::path::Path;
 
-use federpendel_text::Catalogue;
+use federpendel_text::{Catalogue, excerpt};
 
 use crate::args::Score as Arguments;
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{self, to_stdout};
-use crate::words::{excerpt, nearest, samples_fault};
+use crate::words::{nearest, samples_fault};
 use samples::Samples;
 
 pub(crate) fn run(arguments: &Arguments, catalogue: &Catalogue) -> Result<(), Failure> {

@@ -51,6 +51,7 @@ pub mod recording;
 pub mod report;
 mod start;
 mod stop;
+mod unit;
 pub mod window;
 
 pub use adequacy::{Adequacy, Fault, Finding};

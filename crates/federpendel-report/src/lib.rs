@@ -2,12 +2,13 @@
 //! drawings that may stand in it ([`sketch`]).
 //!
 //! [`article`] is the report on the German article from which federpendel started: its claims, each
-//! checked by computation for one experiment.
+//! checked by computation for one experiment. [`recording`] says what a fit found.
 
 pub mod article;
 pub mod document;
 pub mod html;
 pub mod plain;
+pub mod recording;
 pub mod sketch;
 
 pub use document::{Block, Claim, Document, Row, Section, Verdict};

@@ -19,10 +19,12 @@
 mod catalogue;
 mod describe;
 mod error;
+mod excerpt;
 mod language;
 mod number;
 pub mod plot;
 
 pub use catalogue::{Catalogue, Value};
 pub use describe::ParameterText;
+pub use excerpt::excerpt;
 pub use language::Language;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use federpendel_text::excerpt;
+
 use super::{Error, Field};
 use crate::quantity;
-use crate::words::excerpt;
 
 /// Where a value stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

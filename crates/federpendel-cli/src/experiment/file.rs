@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
+use federpendel_text::excerpt;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Allowed, Draft, Error, Field, Origin, Syntax};
-use crate::words::excerpt;
 
 /// Largest experiment file that is read, bytes.
 pub const LARGEST_FILE: usize = 1 << 20;

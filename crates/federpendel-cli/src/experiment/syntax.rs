@@ -1,9 +1,9 @@
 //! What is wrong with a file that is not TOML, in kinds for which there are sentences.
 
+use federpendel_text::excerpt;
 use toml::de::DeTable;
 
 use super::repair::{repaired, straightened};
-use crate::words::excerpt;
 
 /// Why a file is not TOML.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -10,11 +10,11 @@ mod tidy;
 use std::io::{self, Write};
 
 use federpendel_report::article::Checks;
+use federpendel_report::recording::Fitted;
 use federpendel_text::Catalogue;
 use serde::Serialize;
 use serde_json::Serializer;
 
-use super::fit::Fitted;
 use crate::comparison::Comparison;
 use crate::record::Record;
 use crate::score::Score;

@@ -1,9 +1,8 @@
 //! Sentences about quantities.
 
 use federpendel::parameter::{ParameterInfo, Range};
-use federpendel_text::Catalogue;
+use federpendel_text::{Catalogue, excerpt};
 
-use super::excerpt;
 use crate::quantity::{Dimension, Error, LONGEST};
 
 /// What is wrong with a text that should be a quantity.

@@ -1,8 +1,7 @@
 //! What is wrong with a program's samples.
 
-use federpendel_text::{Catalogue, Value};
+use federpendel_text::{Catalogue, Value, excerpt};
 
-use super::excerpt;
 use crate::score::{Column, Fault, LARGEST_FILE, LARGEST_NUMBER};
 
 /// One sentence: file, line, column, value, what is allowed.

@@ -1,8 +1,7 @@
 //! Sentences about files that are not TOML.
 
-use federpendel_text::Catalogue;
+use federpendel_text::{Catalogue, excerpt};
 
-use super::excerpt;
 use crate::experiment::Syntax;
 
 /// What is wrong with a file that is not TOML, and how it is written rightly: the user's own line

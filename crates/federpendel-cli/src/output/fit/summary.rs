@@ -4,13 +4,12 @@ use std::f64::consts::PI;
 use std::io::{self, Write};
 
 use federpendel_fit::Parameter;
+use federpendel_report::recording::{Fitted, edge, sentences};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
 use super::super::summary::{Table, room, wrap};
 use super::super::targets::Targets;
-use super::{Fitted, sentences};
-use crate::words::edge;
 
 /// Rows besides the picture.
 const ROWS_BESIDES: usize = 16;
@@ -88,7 +87,7 @@ fn known(parameter: Option<&Parameter>) -> Option<(f64, f64)> {
 
 /// A value with its error, or the interval that is all that is known.
 fn value(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
-    let unit = fit.unit(parameter.name);
+    let unit = fit.report.unit_of(parameter.name);
     let (low, high) = interval(parameter, &unit, catalogue);
     match parameter.value {
         Some(value) => catalogue.measured(value, parameter.stderr.unwrap_or(f64::NAN), &unit),
@@ -116,7 +115,7 @@ fn details(
     table.row("fit-row-ends", edge(catalogue, report.window.ends));
     if let Some(model) = report.best() {
         for parameter in &model.parameters {
-            let (low, high) = interval(parameter, &fit.unit(parameter.name), catalogue);
+            let (low, high) = interval(parameter, &fit.report.unit_of(parameter.name), catalogue);
             let variables = [
                 ("value", value(fit, parameter, catalogue).into()),
                 ("low", low.into()),

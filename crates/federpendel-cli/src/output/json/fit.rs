@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 
 use federpendel::Mix;
 use federpendel_fit::{Model, Parameter};
+use federpendel_report::recording::{Fitted, sentences};
 use federpendel_text::Catalogue;
 use serde::Serialize;
 
 use super::document::Schema;
-use crate::output::fit::{Fitted, sentences};
-
 #[derive(Serialize)]
 pub(super) struct FitsDocument {
     schema: Schema,
@@ -130,7 +129,7 @@ fn parameter(fit: &Fitted, parameter: &Parameter) -> ParameterFields {
         value: parameter.value,
         stderr: parameter.stderr,
         interval95: [low, high],
-        unit: fit.unit(parameter.name),
+        unit: fit.report.unit_of(parameter.name),
     }
 }
 

@@ -21,7 +21,7 @@ struct Law {
 }
 
 /// The verdict: what acts and how strongly, what is not needed, what cannot be told, what is wrong.
-pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
+pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     let report = &fit.report;
     let mut sentences = Vec::new();
     if !report.adequacy.adequate {
@@ -41,7 +41,7 @@ pub(in crate::output) fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<S
         let pair = [("one", one.into()), ("other", other.into())];
         sentences.push(match reach.from {
             Some(from) => {
-                let amplitude = catalogue.quantity(from, &fit.length_unit(), 2);
+                let amplitude = catalogue.quantity(from, &fit.report.length_unit(), 2);
                 let [one, other] = pair;
                 catalogue
                     .format("fit-cannot-separate", &[one, other, ("amplitude", amplitude.into())])
@@ -64,7 +64,7 @@ fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
     let laws = LAWS.iter().zip(acts).filter(|(_, acts)| *acts).filter_map(|(law, _)| {
         let parameter = model.parameter(law.parameter)?;
         let error = parameter.stderr.unwrap_or(f64::NAN);
-        let value = catalogue.measured(parameter.value?, error, &fit.unit(law.parameter));
+        let value = catalogue.measured(parameter.value?, error, &fit.report.unit_of(law.parameter));
         Some(catalogue.format(law.acts, &[("value", value.into())]))
     });
     let joined = laws.reduce(|one, other| {

@@ -1,17 +1,12 @@
-//! Sentences about recordings: why one is refused, how it was read, which part of it is fitted.
+//! Why a file is no recording.
 
 use federpendel::parameter::Range;
-use federpendel_fit::read::{Field, Found, LEAST_ROWS, Note, ReadError, Rows};
-use federpendel_fit::{Edge, FitError, Quantity};
-use federpendel_text::{Catalogue, Value};
-
-use super::excerpt;
+use federpendel_fit::Quantity;
+use federpendel_fit::read::{Field, Found, LEAST_ROWS, ReadError};
+use federpendel_text::{Catalogue, Value, excerpt};
 
 /// Most names of a list that a message repeats; a table may have thousands of columns.
 const MOST_NAMES: usize = 12;
-
-/// Digits of a step between times.
-const DIGITS: usize = 3;
 
 /// One sentence that says why a file is no recording; `file` is what the user called it.
 pub fn read_error(catalogue: &Catalogue, error: &ReadError, file: &str) -> String {
@@ -24,89 +19,8 @@ pub fn read_error(catalogue: &Catalogue, error: &ReadError, file: &str) -> Strin
     }
 }
 
-/// One sentence that says why nothing can be fitted to a recording; `file` is what the user called it.
-pub fn fit_error(catalogue: &Catalogue, error: &FitError, file: &str) -> String {
-    let time = |time: f64| Value::from(catalogue.exact_quantity(time, "s"));
-    let sentence = match *error {
-        FitError::Length { times, values } => catalogue
-            .format("fit-refused-length", &[("times", times.into()), ("values", values.into())]),
-        FitError::TooFew { found, needed, from, to } => catalogue.format(
-            "fit-refused-too-few",
-            &[
-                ("found", found.into()),
-                ("needed", needed.into()),
-                ("from", time(from)),
-                ("to", time(to)),
-            ],
-        ),
-        FitError::Value { index, what: "time", value, .. } => catalogue
-            .format("fit-refused-time", &[("number", (index + 1).into()), ("value", time(value))]),
-        FitError::Value { index, value, .. } => catalogue.format(
-            "fit-refused-value",
-            &[
-                ("number", (index + 1).into()),
-                ("value", catalogue.exact_quantity(value, "1").into()),
-                ("allowed", catalogue.range(Range::Finite).into()),
-            ],
-        ),
-        // An option does not stand in the file.
-        FitError::Option { name, value, .. } => return option(catalogue, name, value),
-        FitError::Still { from, to } => {
-            catalogue.format("fit-refused-still", &[("from", time(from)), ("to", time(to))])
-        }
-        FitError::NoFit { from, to } => {
-            catalogue.format("fit-refused-no-fit", &[("from", time(from)), ("to", time(to))])
-        }
-    };
-    format!("{file}: {sentence}")
-}
-
-/// One sentence that says what was assumed, left out or put in order in a recording.
-pub fn read_note(catalogue: &Catalogue, note: &Note) -> String {
-    let of_rows = |id: &str, rows: &Rows, more: &[(&'static str, Value<'static>)]| {
-        let variables = [("count", rows.count.into()), ("line", rows.first_line.into())];
-        catalogue.format(id, &[&variables, more].concat())
-    };
-    let step = |step: f64| Value::from(catalogue.quantity(step, "s", DIGITS));
-    match note {
-        Note::TimeGuessed => catalogue.text("recording-note-time"),
-        Note::TimeUnitAssumed => catalogue.text("recording-note-time-unit"),
-        Note::QuantityAssumed => catalogue.text("recording-note-quantity"),
-        Note::NameContradictsUnit { name } => {
-            let (quantity, _) = quantity(catalogue, *name);
-            catalogue.format("recording-note-name", &[("quantity", quantity.into())])
-        }
-        Note::CutOff { line } => {
-            catalogue.format("recording-note-cut-off", &[("line", (*line).into())])
-        }
-        Note::Missing(rows) => of_rows("recording-note-missing", rows, &[]),
-        Note::Sorted(rows) => of_rows("recording-note-sorted", rows, &[]),
-        Note::Averaged(rows) => of_rows("recording-note-averaged", rows, &[]),
-        Note::Gaps { rows, longest, usual } => {
-            let steps = [("longest", step(*longest)), ("usual", step(*usual))];
-            of_rows("recording-note-gaps", rows, &steps)
-        }
-        Note::RunLeftOut { run, why } => left_out(catalogue, run, why),
-        other => format!("{other:?}"),
-    }
-}
-
-/// Why the fitted part begins or ends where it does, without a full stop.
-pub fn edge(catalogue: &Catalogue, edge: Edge) -> String {
-    catalogue.text(match edge {
-        Edge::Recording => "fit-edge-recording",
-        Edge::Given => "fit-edge-given",
-        Edge::Held => "fit-edge-held",
-        Edge::Driven => "fit-edge-driven",
-        Edge::Misfit => "fit-edge-misfit",
-        Edge::Still => "fit-edge-still",
-        Edge::Disturbed => "fit-edge-disturbed",
-        Edge::Unrest => "fit-edge-unrest",
-    })
-}
-
 /// Sentences about a file as a whole and the tables in it.
-fn of_file(catalogue: &Catalogue, error: &ReadError) -> String {
+pub(super) fn of_file(catalogue: &Catalogue, error: &ReadError) -> String {
     let allowed = || ("allowed", Value::from(catalogue.text("recording-allowed")));
     match error {
         ReadError::Empty => catalogue.format("recording-empty", &[allowed()]),
@@ -258,7 +172,7 @@ fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
 }
 
 /// The line that an error is about; none for the file as a whole.
-fn line(error: &ReadError) -> Option<usize> {
+pub(super) fn line(error: &ReadError) -> Option<usize> {
     match error {
         ReadError::NoTable { found, line, .. } => is_text(*found).then_some(*line),
         ReadError::NoRows { line, .. }
@@ -276,36 +190,6 @@ fn is_text(found: Found) -> bool {
     matches!(found, Found::Xml | Found::Json | Found::Prose)
 }
 
-/// An option that makes no sense: `sigma`, or the beginning or end of the part to be fitted.
-fn option(catalogue: &Catalogue, name: &'static str, value: f64) -> String {
-    let (range, unit) = if name == "sigma" { (Range::Positive, "1") } else { (Range::Finite, "s") };
-    catalogue.format(
-        "fit-refused-option",
-        &[
-            ("name", name.into()),
-            ("value", catalogue.exact_quantity(value, unit).into()),
-            ("allowed", catalogue.range(range).into()),
-        ],
-    )
-}
-
-fn left_out(catalogue: &Catalogue, run: &str, why: &ReadError) -> String {
-    let sentence = of_file(catalogue, why);
-    let reason = match line(why) {
-        Some(line) => {
-            let place = catalogue.format("recording-line", &[("line", line.into())]);
-            format!("{place}: {sentence}")
-        }
-        None => sentence,
-    };
-    let reason = ("reason", Value::from(reason));
-    if run.is_empty() {
-        catalogue.format("recording-note-nameless-run", &[reason])
-    } else {
-        catalogue.format("recording-note-run", &[("run", excerpt(run).into()), reason])
-    }
-}
-
 fn field_name(catalogue: &Catalogue, field: Field) -> String {
     catalogue.text(match field {
         Field::Time => "recording-field-time",
@@ -314,7 +198,7 @@ fn field_name(catalogue: &Catalogue, field: Field) -> String {
 }
 
 /// A quantity, and some of its units.
-fn quantity(catalogue: &Catalogue, quantity: Quantity) -> (String, &'static str) {
+pub(super) fn quantity(catalogue: &Catalogue, quantity: Quantity) -> (String, &'static str) {
     let (id, units) = match quantity {
         Quantity::Position => ("recording-quantity-position", "m, cm, mm, rad, °"),
         Quantity::Velocity => ("recording-quantity-velocity", "m/s, cm/s, km/h, rad/s, °/s"),
