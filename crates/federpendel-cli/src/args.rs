@@ -15,12 +15,13 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 use clap_complete::Shell;
-use federpendel_fit::Quantity;
+use federpendel_fit::{Intervals, Loss, Quantity};
 use federpendel_text::plot::draw::Background;
 use federpendel_text::{Catalogue, Language};
 
 use crate::experiment::Field;
 use crate::failure::Failure;
+use crate::fit::{INTERVALS, LOSSES};
 pub use crate::output::{ComparisonPicture, Dialect, Format, MotionPicture};
 pub use crate::record::Method;
 
@@ -152,8 +153,10 @@ pub struct Fit {
     pub to: Option<String>,
     /// Standard deviation of a value, as written.
     pub sigma: Option<String>,
-    /// Whether intervals come from profiles.
-    pub profile: bool,
+    /// How intervals are found.
+    pub intervals: Intervals,
+    /// How residuals count.
+    pub loss: Loss,
     /// Where results go.
     pub results: Results,
 }
@@ -308,20 +311,25 @@ fn article(matches: &ArgMatches) -> Article {
     }
 }
 
+/// What the name given to `argument` stands for in `table`.
+fn named<T: Copy>(matches: &ArgMatches, argument: &str, table: &[(&str, T)]) -> Option<T> {
+    let written = text(matches, argument)?;
+    table.iter().find(|(name, _)| *name == written).map(|(_, value)| *value)
+}
+
 fn fit(matches: &ArgMatches) -> Fit {
-    let quantity = text(matches, "quantity");
-    let known = QUANTITIES.iter().find(|(name, _)| Some(*name) == quantity.as_deref());
     Fit {
         recordings: matches.get_many("recordings").into_iter().flatten().cloned().collect(),
         time: text(matches, "time"),
         value: text(matches, "value"),
-        quantity: known.map(|(_, quantity)| *quantity),
+        quantity: named(matches, "quantity", &QUANTITIES),
         run: text(matches, "run"),
         laws: text(matches, "laws"),
         from: text(matches, "from"),
         to: text(matches, "to"),
         sigma: text(matches, "sigma"),
-        profile: matches.get_flag("profile"),
+        intervals: named(matches, "intervals", &INTERVALS).unwrap_or_default(),
+        loss: named(matches, "loss", &LOSSES).unwrap_or_default(),
         results: results(matches),
     }
 }

@@ -67,6 +67,14 @@ impl Failure {
         Failure::Input(catalogue.error(error))
     }
 
+    /// What it says.
+    pub(crate) fn sentence(&self) -> String {
+        match self {
+            Failure::Input(sentence) | Failure::System(sentence) => sentence.clone(),
+            Failure::NoCommand(_) | Failure::BrokenPipe => String::new(),
+        }
+    }
+
     /// Says it on standard error and gives the exit status.
     pub(crate) fn report(&self, catalogue: &Catalogue) -> ExitCode {
         let (sentence, status) = match self {

@@ -1,10 +1,13 @@
 //! `federpendel fit`: read recordings, fit them, say what was found.
 
+mod options;
+
+pub(crate) use options::{INTERVALS, LOSSES};
+
 use std::path::Path;
 
-use federpendel::Mix;
 use federpendel_fit::read::{Choice, Read, recordings};
-use federpendel_fit::{FitReport, Intervals, Options, fit};
+use federpendel_fit::{Options, fit};
 use federpendel_report::recording::{Fitted, fit_error, read_error, read_note};
 use federpendel_text::Catalogue;
 
@@ -12,47 +15,74 @@ use crate::args::Fit;
 use crate::failure::{Failure, note};
 use crate::load;
 use crate::output::{self, Format, Targets};
-use crate::quantity::{Dimension, parse};
-use crate::words::quantity_problem;
 
 /// Largest recording that is read, bytes.
 const LARGEST_RECORDING: usize = 4 << 30;
 
+/// What became of all recordings.
+#[derive(Default)]
+pub(crate) struct Fits {
+    /// Those that were fitted.
+    pub fitted: Vec<Fitted>,
+    /// Those that were not.
+    pub failed: Vec<Failed>,
+}
+
+/// A recording without a fit.
+pub(crate) struct Failed {
+    /// What it is called.
+    pub name: String,
+    /// Why there is none.
+    pub failure: Failure,
+}
+
 pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure> {
     let targets =
         Targets::check(&arguments.recordings, &arguments.results, &Format::OF_FITS, catalogue)?;
-    let options = options(arguments, catalogue)?;
-    let mut fitted = Vec::new();
-    let mut failed: Option<Failure> = None;
+    let options = options::options(arguments, catalogue)?;
+    let mut fits = Fits::default();
     for path in &arguments.recordings {
-        match one(path, arguments, &options, catalogue) {
-            Ok(found) => fitted.extend(found),
-            // A bad file does not stop those behind it; the last one may still be all there is to say.
-            Err(failure) => {
-                if let Some(before) = failed.replace(failure) {
-                    before.report(catalogue);
-                }
+        add(path, &mut fits, arguments, &options, catalogue);
+    }
+    // With a single recording there is nothing to write, and nothing to add to why.
+    if fits.fitted.is_empty() && fits.failed.len() == 1 {
+        return Err(fits.failed.remove(0).failure);
+    }
+    if !fits.fitted.is_empty() {
+        output::write_fits(&fits, &targets, catalogue)?;
+    }
+    complete(&fits, catalogue)
+}
+
+/// Fits all recordings of a file. One that fails does not stop those behind it.
+fn add(path: &Path, fits: &mut Fits, arguments: &Fit, options: &Options, catalogue: &Catalogue) {
+    let file = path.display().to_string();
+    let reads = match read(path, &file, arguments, catalogue) {
+        Ok(reads) => reads,
+        Err(failure) => return fits.failed.push(Failed { name: file, failure }),
+    };
+    for read in reads {
+        for remark in &read.notes {
+            note(&format!("{file}: {}", read_note(catalogue, remark)));
+        }
+        let name = name(&file, &read);
+        match fit(&read.recording, options) {
+            Ok(report) => fits.fitted.push(Fitted::new(name, read, report)),
+            Err(error) => {
+                let failure = Failure::Input(fit_error(catalogue, &error, &name));
+                fits.failed.push(Failed { name, failure });
             }
         }
     }
-    match failed {
-        Some(failure) if fitted.is_empty() => return Err(failure),
-        Some(failure) => {
-            failure.report(catalogue);
-        }
-        None => {}
-    }
-    output::write_fits(&fitted, &targets, catalogue)
 }
 
-/// All recordings of a file, fitted.
-fn one(
+/// All recordings of a file.
+fn read(
     path: &Path,
+    file: &str,
     arguments: &Fit,
-    options: &Options,
     catalogue: &Catalogue,
-) -> Result<Vec<Fitted>, Failure> {
-    let file = path.display().to_string();
+) -> Result<Vec<Read>, Failure> {
     let bytes = load::read(path, LARGEST_RECORDING, catalogue)?;
     let choice = Choice {
         time: arguments.time.clone(),
@@ -61,18 +91,7 @@ fn one(
         run: arguments.run.clone(),
         ..Choice::default()
     };
-    let reads = recordings(&bytes, &choice)
-        .map_err(|error| Failure::Input(read_error(catalogue, &error, &file)))?;
-    let fitted = reads.into_iter().map(|read| {
-        for remark in &read.notes {
-            note(&format!("{file}: {}", read_note(catalogue, remark)));
-        }
-        let report = fit(&read.recording, options);
-        let report: FitReport =
-            report.map_err(|error| Failure::Input(fit_error(catalogue, &error, &file)))?;
-        Ok(Fitted::new(name(&file, &read), read, report))
-    });
-    fitted.collect()
+    recordings(&bytes, &choice).map_err(|error| Failure::Input(read_error(catalogue, &error, file)))
 }
 
 /// What a recording is called: its file, and its run if there are several.
@@ -83,63 +102,17 @@ fn name(file: &str, read: &Read) -> String {
     }
 }
 
-fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failure> {
-    let time = |name: &str, written: &Option<String>| {
-        let value = |written: &String| {
-            parse(written, Dimension::Time)
-                .map_err(|error| refused(name, written, &error, catalogue))
-        };
-        written.as_ref().map(value).transpose()
-    };
-    let sigma = |written: &String| {
-        parse(written, Dimension::Number)
-            .map_err(|error| refused("sigma", written, &error, catalogue))
-    };
-    Ok(Options {
-        laws: laws(arguments.laws.as_deref(), catalogue)?,
-        from: time("from", &arguments.from)?,
-        to: time("to", &arguments.to)?,
-        sigma: arguments.sigma.as_ref().map(sigma).transpose()?,
-        intervals: if arguments.profile { Intervals::Profile } else { Intervals::Covariance },
-        ..Options::default()
-    })
-}
-
-fn refused(
-    name: &str,
-    written: &str,
-    error: &crate::quantity::Error,
-    catalogue: &Catalogue,
-) -> Failure {
-    let variables = [
-        ("name", format!("--{name}").into()),
-        ("value", catalogue.quoted(written).into()),
-        ("problem", quantity_problem(catalogue, error).into()),
-    ];
-    Failure::Input(catalogue.format("fit-option-refused", &variables))
-}
-
-/// The laws that may act: `auto`, `none`, or a list of them.
-fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Mix, Failure> {
-    let mut mix = Mix::default();
-    match written {
-        None | Some("auto") => return Ok(Mix { stokes: true, coulomb: true, newton: true }),
-        Some("none") => return Ok(mix),
-        Some(list) => {
-            for name in list.split(',') {
-                match name.trim() {
-                    "stokes" => mix.stokes = true,
-                    "coulomb" => mix.coulomb = true,
-                    "newton" => mix.newton = true,
-                    other => {
-                        let variables = [("value", other.into())];
-                        return Err(Failure::Input(
-                            catalogue.format("fit-laws-refused", &variables),
-                        ));
-                    }
-                }
-            }
-        }
+/// Names those that failed after all that was written: a long list of results hides what came before it.
+fn complete(fits: &Fits, catalogue: &Catalogue) -> Result<(), Failure> {
+    if fits.failed.is_empty() {
+        return Ok(());
     }
-    Ok(mix)
+    for failed in &fits.failed {
+        failed.failure.report(catalogue);
+    }
+    let variables = [
+        ("failed", fits.failed.len().into()),
+        ("all", (fits.failed.len() + fits.fitted.len()).into()),
+    ];
+    Err(Failure::Input(catalogue.format("fit-some-failed", &variables)))
 }

@@ -7,20 +7,25 @@ use std::path::Path;
 use common::Workplace;
 use serde_json::Value;
 
-/// A recording of an experiment with these flags, fitted: the first fit.
+/// A document that fits the schema.
+fn document(text: &str) -> Value {
+    let document: Value = serde_json::from_str(text).expect("JSON");
+    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas/fit.schema.json");
+    let schema = serde_json::from_str(&std::fs::read_to_string(schema).expect("a schema"));
+    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
+    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
+    assert!(problems.is_empty(), "{problems:?}");
+    document
+}
+
+/// A recording of an experiment with these flags, fitted.
 fn fitted(simulate: &[&str], fit: &[&str]) -> Value {
     let workplace = Workplace::new();
     let recorded = workplace.run(&[&["simulate", "-o", "r.csv"], simulate].concat());
     assert_eq!(recorded.status, Some(0), "{}", recorded.err);
     let finished = workplace.run(&[&["fit", "r.csv", "--format", "json"], fit].concat());
     assert_eq!(finished.status, Some(0), "{}", finished.err);
-    let document: Value = serde_json::from_str(&finished.out).expect("JSON");
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas/fit.schema.json");
-    let schema = serde_json::from_str(&std::fs::read_to_string(schema).expect("a schema"));
-    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
-    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
-    assert!(problems.is_empty(), "{problems:?}");
-    document["fits"][0].clone()
+    document(&finished.out)
 }
 
 fn laws(fit: &Value) -> Vec<&str> {
@@ -64,6 +69,55 @@ fn laws_can_be_chosen() {
     assert_eq!(laws(&chosen), ["stokes"]);
     assert_eq!(chosen["models"].as_array().map(Vec::len), Some(2));
     assert!(laws(&fitted(&noise, &["--laws", "none"])).is_empty());
+    // The mix asked for is fitted, though one of its laws is not needed.
+    let mix = fitted(&noise, &["--laws", "coulomb, newton"]);
+    assert_eq!(laws(&mix), ["coulomb", "newton"]);
+    assert!(mix["parameters"]["newton_rate"]["value"].is_number(), "{mix}");
+    assert_eq!(mix["verdict"]["standing"]["newton"], "not-needed");
+}
+
+#[test]
+fn intervals_are_found_as_asked() {
+    let noise = ["--noise", "1 mm"];
+    let interval = |how: &str| {
+        let fit = fitted(&noise, &["--intervals", how]);
+        let interval = fit["parameters"]["coulomb_acceleration"]["interval95"].clone();
+        [0, 1].map(|end| interval[end].as_f64().expect("an end"))
+    };
+    let [profile, covariance, bootstrap] = ["profile", "covariance", "bootstrap"].map(interval);
+    for other in [covariance, bootstrap] {
+        assert_ne!(profile, other);
+        let ratio = (other[1] - other[0]) / (profile[1] - profile[0]);
+        assert!((0.7..1.4).contains(&ratio), "{profile:?} {other:?}");
+    }
+}
+
+#[test]
+fn outliers_do_not_sway_a_robust_loss() {
+    let workplace = Workplace::new();
+    workplace.run(&["simulate", "--noise", "1 mm", "--duration", "4 s", "-o", "r.csv"]);
+    let text = String::from_utf8(workplace.read("r.csv")).expect("text");
+    let spoilt = |(i, line): (usize, &str)| match line.split_once(',') {
+        Some((time, _)) if i > 0 && i % 40 == 0 => format!("{time},0.5\n"),
+        _ => format!("{line}\n"),
+    };
+    let text: String = text.lines().enumerate().map(spoilt).collect();
+    workplace.write("spoilt.csv", text.as_bytes());
+    let off = |loss: &str| {
+        let finished = workplace.run(&[
+            "fit",
+            "spoilt.csv",
+            "--laws",
+            "coulomb",
+            "--loss",
+            loss,
+            "--format",
+            "json",
+        ]);
+        let a_c = document(&finished.out)["parameters"]["coulomb_acceleration"]["value"].clone();
+        (a_c.as_f64().expect("a value") - 0.1962).abs()
+    };
+    assert!(off("tukey") < 0.1 * off("squares"), "{} {}", off("tukey"), off("squares"));
 }
 
 #[test]
@@ -71,9 +125,10 @@ fn the_summary_says_the_verdict_in_both_languages() {
     let workplace = Workplace::new();
     workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);
     let english = workplace.run(&["fit", "r.csv"]);
-    assert!(english.out.contains("Coulomb friction a_c = 0.19"), "{}", english.out);
+    assert!(english.out.contains("Dry (Coulomb) friction acts: a_c = 0.19"), "{}", english.out);
     let german = workplace.run(&["fit", "r.csv", "--lang", "de", "--details"]);
-    assert!(german.out.contains("Coulombsche Reibung a_c = 0,19"), "{}", german.out);
+    let acts = "Trockene (Coulombsche) Reibung wirkt: a_c = 0,19";
+    assert!(german.out.contains(acts), "{}", german.out);
     let pictures = workplace.run(&["fit", "r.csv", "-o", "fit.svg", "-o", "fit.json"]);
     assert_eq!(pictures.status, Some(0), "{}", pictures.err);
     assert!(String::from_utf8_lossy(&workplace.read("fit.svg")).contains("</svg>"));
@@ -85,10 +140,37 @@ fn a_bad_file_does_not_stop_the_others() {
     workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);
     workplace.write("bad.csv", b"no numbers here\n");
     let finished = workplace.run(&["fit", "bad.csv", "r.csv", "--format", "json"]);
-    assert_eq!(finished.status, Some(0), "{}", finished.err);
-    assert!(finished.err.contains("bad.csv"), "{}", finished.err);
-    let document: Value = serde_json::from_str(&finished.out).expect("JSON");
-    assert_eq!(document["fits"].as_array().map(Vec::len), Some(1));
+    // The results are written, and the status says that they are not all.
+    assert_eq!(finished.status, Some(2), "{}", finished.err);
+    assert!(finished.err.contains("1 of 2"), "{}", finished.err);
+    let fits = document(&finished.out);
+    assert_eq!(fits["fits"].as_array().map(Vec::len), Some(1));
+    assert_eq!(fits["failed"][0]["name"], "bad.csv");
+}
+
+#[test]
+fn many_recordings_give_a_row_each() {
+    let workplace = Workplace::new();
+    for (seed, damping) in [("1", "0.1"), ("2", "0.2")] {
+        let name = format!("{seed}.csv");
+        let law = ["--kinetic", "0", "--damping", damping, "--seed", seed];
+        workplace.run(&[&["simulate", "--noise", "0.5 mm", "-o", &name][..], &law].concat());
+    }
+    for (dialect, delimiter, comma) in [("standard", ',', "."), ("german", ';', ",")] {
+        let arguments = ["fit", "1.csv", "2.csv", "--format", "csv", "--csv-dialect", dialect];
+        let finished = workplace.run(&arguments);
+        assert_eq!(finished.status, Some(0), "{}", finished.err);
+        let rows: Vec<Vec<&str>> =
+            finished.out.lines().map(|line| line.split(delimiter).collect()).collect();
+        let column = |name| rows[0].iter().position(|cell| *cell == name).expect(name);
+        assert_eq!(rows.len(), 3);
+        for (row, truth) in rows[1..].iter().zip([0.1, 0.2]) {
+            assert_eq!(row[column("laws")], "stokes");
+            let rate = row[column("damping_rate")].replace(comma, ".").parse::<f64>();
+            assert!((rate.expect("a number") - truth).abs() < 0.01, "{row:?}");
+            assert_eq!(row[column("newton_rate")], "");
+        }
+    }
 }
 
 #[test]
@@ -125,7 +207,8 @@ fn what_is_no_recording_is_refused() {
         (&["fit", "r.csv", "--laws", "sliding"], "sliding"),
         (&["fit", "r.csv", "--value", "Temperature"], "Temperature"),
         (&["fit", "r.csv", "--from", "1 kg"], "--from"),
-        (&["fit", "r.csv", "-o", "fit.csv"], ".json"),
+        (&["fit", "r.csv", "-o", "fit.txt"], ".json"),
+        (&["fit", "r.csv", "--loss", "absolute"], "huber"),
     ] {
         let finished = workplace.run(arguments);
         assert_eq!(finished.status, Some(2), "{arguments:?}: {}", finished.err);

@@ -5,7 +5,6 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use federpendel::{Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, State, Stokes};
 use federpendel_fit::model::evaluate;
 use federpendel_fit::{Jacobian, Parameters, Quantity, Stop};
 
@@ -22,17 +21,6 @@ fn least(mut call: impl FnMut()) -> f64 {
         began.elapsed().as_secs_f64() * 1e6
     };
     (0..REPEATS).map(time).fold(f64::INFINITY, f64::min)
-}
-
-fn motion(p: &Parameters) -> Result<Motion, federpendel::Error> {
-    let a_c = p.coulomb_acceleration;
-    let friction = Friction {
-        stokes: Some(Stokes::new(2.0 * p.damping_rate)?),
-        coulomb: Some(Coulomb::new(a_c, a_c, NormalForce::Given(1.0))?),
-        newton: Some(Newton::new(p.newton_rate)?),
-    };
-    let oscillator = Oscillator::new(1.0, p.angular_frequency.powi(2), friction)?;
-    Motion::new(oscillator, State::new(p.position0, p.velocity0)?)
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -67,7 +55,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         });
         let exact = least(|| {
             // The motion is made anew each time, as a fit would have to.
-            let result = motion(&parameters).map(|m| m.sample(&times, &mut values, &mut other));
+            let result = parameters
+                .motion(parameters.coulomb_acceleration)
+                .map(|m| m.sample(&times, &mut values, &mut other));
             black_box(result.is_ok());
         });
         let laws = ["Stokes", "Coulomb", "Newton"];

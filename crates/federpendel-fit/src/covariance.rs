@@ -2,7 +2,7 @@
 
 use crate::least_squares::Minimum;
 use crate::noise::Excess;
-use crate::problem::{LAWS, Matrix, Vector};
+use crate::problem::{LAWS, Matrix, OMEGA, Vector};
 
 /// The covariance of the `free` parameters of a fit to `count` values.
 ///
@@ -48,11 +48,11 @@ pub fn student(freedom: f64) -> f64 {
     z + g1 / freedom + g2 / (freedom * freedom)
 }
 
-/// The 95 % interval of parameter `i` from its standard error: coefficients have no part below
-/// zero.
+/// The 95 % interval of parameter `i` from its standard error: neither coefficients nor the frequency
+/// have a part below zero.
 pub fn interval(value: f64, stderr: f64, i: usize, quantile: f64) -> (f64, f64) {
     let low = value - quantile * stderr;
-    let low = if LAWS.contains(&i) { low.max(0.0) } else { low };
+    let low = if LAWS.contains(&i) || i == OMEGA { low.max(0.0) } else { low };
     (low, value + quantile * stderr)
 }
 

@@ -12,13 +12,15 @@ use crate::extremes::{look, median};
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
-use crate::options::{Intervals, Loss, Options};
-use crate::problem::{COULOMB, LAWS, Matrix, NAMES, OMEGA, Problem, Vector};
+use crate::options::{Intervals, Laws, Loss, Options};
+use crate::problem::{COULOMB, LAWS, Matrix, NAMES, OMEGA, Problem, Vector, parameters};
 use crate::profile;
 use crate::ranking::{Candidate, criteria, verdict};
 use crate::reach::{Reach, reach};
 use crate::report::{FitReport, Model, Parameter};
+use crate::shares::shares;
 use crate::stop;
+use crate::unit::unit_of_values;
 use crate::window::{Edge, Found, Window, find};
 use crate::{Quantity, Recording};
 
@@ -108,7 +110,7 @@ impl Fits {
         let mut problem = Problem::new(times, values, recording.quantity);
         let look = found.look.as_ref();
         let none = FitError::NoFit { from, to };
-        let mut fitted = fit_all(&mut problem, look, options.laws).ok_or(none.clone())?;
+        let mut fitted = fit_all(&mut problem, look, options.laws.mix()).ok_or(none.clone())?;
         if options.loss != Loss::Squares {
             fitted = robust(&mut problem, &fitted, options.loss);
         }
@@ -166,13 +168,17 @@ impl Fits {
             .iter()
             .map(|f| Candidate { mix: f.mix, cost: f.minimum.normal.cost })
             .collect();
-        let verdict = verdict(&candidates, self.effective).ok_or(none.clone())?;
+        let mut verdict = verdict(&candidates, self.effective).ok_or(none.clone())?;
+        if let Laws::Exactly(mix) = options.laws {
+            (verdict.mix, verdict.alternatives) = (mix, vec![]);
+        }
         let find = |mix: Mix| self.fitted.iter().find(|f| f.mix == mix).copied();
         let best = find(verdict.mix).ok_or(none.clone())?;
         let free_here = free(best.mix);
         let adequacy =
             adequacy(&mut self.problem, &best.minimum, &free_here).ok_or(none.clone())?;
         let reaches = self.reaches(&verdict.alternatives, &best);
+        let shares = shares(&parameters(&best.minimum.at), window.to - window.from);
         let residuals =
             self.problem.residuals(&best.minimum.at, best.minimum.ending).ok_or(none)?;
         let mut models: Vec<Model> = Vec::new();
@@ -184,7 +190,8 @@ impl Fits {
         models.sort_by(|a, b| a.criteria.aicc.total_cmp(&b.criteria.aicc));
         Ok(FitReport {
             quantity: recording.quantity,
-            unit: recording.unit.clone(),
+            laws: options.laws,
+            unit: unit_of_values(recording),
             window,
             samples: self.problem.len(),
             effective_samples: self.effective,
@@ -192,9 +199,12 @@ impl Fits {
             models,
             verdict,
             adequacy,
+            shares,
             reaches,
             residuals,
             evaluations: self.problem.evaluations,
+            sigma: options.sigma,
+            intervals: options.intervals,
         })
     }
 

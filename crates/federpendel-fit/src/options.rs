@@ -17,11 +17,28 @@ pub enum Intervals {
     Bootstrap(Bootstrap),
 }
 
+/// The laws that a fit may find.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Laws {
+    /// Those that the recording shows, of these; every part of them is fitted.
+    Among(Mix),
+    /// All of these, whether the recording shows them or not; the parts of them are fitted beside.
+    Exactly(Mix),
+}
+
+impl Laws {
+    /// All that may act.
+    pub fn mix(self) -> Mix {
+        let (Laws::Among(mix) | Laws::Exactly(mix)) = self;
+        mix
+    }
+}
+
 /// Choices for [`crate::fit()`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The laws that may act; every part of them is fitted.
-    pub laws: Mix,
+    /// The laws.
+    pub laws: Laws,
     /// Time at which the free decay begins, s; found if not given.
     pub from: Option<f64>,
     /// Time at which it ends, s; found if not given.
@@ -41,7 +58,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            laws: Mix { stokes: true, coulomb: true, newton: true },
+            laws: Laws::Among(Mix { stokes: true, coulomb: true, newton: true }),
             from: None,
             to: None,
             sigma: None,

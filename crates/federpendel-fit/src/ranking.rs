@@ -51,7 +51,8 @@ pub enum Standing {
 /// The laws that the recording shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
-    /// The simplest mix that is not rejected; of equally simple ones that which fits best.
+    /// The simplest mix that is not rejected, of equally simple ones that which fits best; or the one that
+    /// was asked for.
     pub mix: Mix,
     /// Other mixes that are not rejected and of which no part is: the recording does not tell them
     /// from the first.

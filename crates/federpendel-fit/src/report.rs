@@ -6,6 +6,7 @@ use crate::Quantity;
 use crate::adequacy::Adequacy;
 use crate::least_squares::StopReason;
 use crate::noise::Excess;
+use crate::options::{Intervals, Laws};
 use crate::ranking::{Criteria, Verdict};
 use crate::reach::Reach;
 use crate::stop::Rest;
@@ -67,7 +68,9 @@ impl Model {
 pub struct FitReport {
     /// What was recorded.
     pub quantity: Quantity,
-    /// Unit of the values.
+    /// The laws that were asked for.
+    pub laws: Laws,
+    /// Unit of the values; that of their length is `u` where the recording names none.
     pub unit: String,
     /// The part that was fitted.
     pub window: Window,
@@ -83,12 +86,19 @@ pub struct FitReport {
     pub verdict: Verdict,
     /// Whether the verdict's mix describes the motion, and what is wrong where not.
     pub adequacy: Adequacy,
+    /// The shares of Stokes, Coulomb and Newton friction in the energy lost in the window; none if nothing
+    /// is lost.
+    pub shares: Option<[f64; 3]>,
     /// For each mix that is as good as the verdict's: from which amplitude they differ.
     pub reaches: Vec<Reach>,
     /// The verdict's residuals, value − model, at the values of the window.
     pub residuals: Vec<f64>,
     /// Evaluations of the model, of all mixes together.
     pub evaluations: usize,
+    /// Standard deviation of a value, where it was given: χ² is measured in it.
+    pub sigma: Option<f64>,
+    /// How the intervals of the verdict's mix were asked for.
+    pub intervals: Intervals,
 }
 
 impl FitReport {

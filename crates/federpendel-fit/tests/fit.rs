@@ -2,12 +2,12 @@
 
 use federpendel::Mix;
 use federpendel_fit::{
-    Bootstrap, Edge, Fault, FitError, Intervals, Loss, Options, Parameters, Quantity, Recording,
-    Standing, fit,
+    Bootstrap, Edge, Fault, FitError, Intervals, Laws, Loss, Options, Parameters, Quantity,
+    Recording, Standing, fit,
 };
 
 mod synthetic;
-use synthetic::{Random, known, motion};
+use synthetic::{Random, known};
 
 const STOKES: Mix = Mix { stokes: true, coulomb: false, newton: false };
 
@@ -26,7 +26,7 @@ fn truth() -> Parameters {
 
 /// Positions of a motion at `times`, with noise of this standard deviation.
 fn recorded(p: &Parameters, times: Vec<f64>, sigma: f64, seed: u64) -> Recording {
-    let motion = motion(p, p.coulomb_acceleration).expect("in range");
+    let motion = p.motion(p.coulomb_acceleration).expect("in range");
     let mut random = Random(seed);
     let mut value = |&t: &f64| {
         let sample = motion.at(t - times[0]).expect("in range");
@@ -297,10 +297,40 @@ fn noise_alone_makes_no_panic() {
 #[test]
 fn only_allowed_laws_are_fitted() {
     let recording = recorded(&truth(), even(10.0, 1000), 0.01, 4);
-    for (laws, models) in [(Mix::default(), 1), (STOKES, 2), (Mix { newton: true, ..STOKES }, 4)] {
-        let report = fit(&recording, &Options { laws, ..Options::default() }).expect("fits");
-        assert_eq!(report.models.len(), models);
-        assert_eq!(report.verdict.mix.stokes, laws.stokes);
-        assert_eq!(report.verdict.laws[1], Standing::Excluded);
+    let both = Mix { newton: true, ..STOKES };
+    for (mix, models) in [(Mix::default(), 1), (STOKES, 2), (both, 4)] {
+        let with = |laws| fit(&recording, &Options { laws, ..Options::default() }).expect("fits");
+        let among = with(Laws::Among(mix));
+        assert_eq!(among.models.len(), models);
+        assert_eq!(among.verdict.mix.stokes, mix.stokes);
+        assert_eq!(among.verdict.laws[1], Standing::Excluded);
+        let exactly = with(Laws::Exactly(mix));
+        assert_eq!(exactly.verdict.mix, mix);
+        assert_eq!(exactly.models.len(), models);
+    }
+}
+
+#[test]
+fn shares_are_those_of_averaging() {
+    // Over a swing of slow decay Stokes friction takes πγω₀A², Coulomb 2a_cA, Newton (4/3)κω₀²A³.
+    let p =
+        Parameters { damping_rate: 0.02, coulomb_acceleration: 0.15, newton_rate: 0.01, ..truth() };
+    let recording = recorded(&p, even(4.0, 2000), 1e-4, 4);
+    let report = fit(&recording, &Options::default()).expect("fits");
+    let (omega, mut amplitude) =
+        (p.angular_frequency, p.position0.hypot(p.velocity0 / p.angular_frequency));
+    let mut lost = [0.0; 3];
+    for _ in 0..(4.0 * omega / std::f64::consts::PI) as usize {
+        let swing = [
+            std::f64::consts::PI * p.damping_rate * omega * amplitude.powi(2),
+            2.0 * p.coulomb_acceleration * amplitude,
+            4.0 / 3.0 * p.newton_rate * (omega * amplitude).powi(2) * amplitude,
+        ];
+        lost.iter_mut().zip(swing).for_each(|(sum, one)| *sum += one);
+        amplitude -= swing.iter().sum::<f64>() / (omega * omega * amplitude);
+    }
+    let total: f64 = lost.iter().sum();
+    for (found, lost) in report.shares.expect("something is lost").iter().zip(lost) {
+        assert!((found - lost / total).abs() < 0.04, "{found} {lost} {total}");
     }
 }

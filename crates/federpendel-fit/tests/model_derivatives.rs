@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Case, QUANTITIES, cases, motion, recorded};
+use common::{Case, QUANTITIES, cases, recorded};
 use federpendel_fit::model::{Course, evaluate};
 use federpendel_fit::{Jacobian, Parameters, Quantity, Stop};
 use proptest::prelude::*;
@@ -153,7 +153,7 @@ fn compare(
 
 /// Times of the turning points since the first sample; one more at infinity if the mass rests.
 fn turns(p: &Parameters, held: f64, until: f64) -> Vec<f64> {
-    let motion = motion(p, held);
+    let motion = p.motion(held).unwrap();
     let turns = motion.turning_points().map(|turn| turn.time);
     let rests = motion.at(until).unwrap().mode == federpendel::Mode::Stuck;
     turns.take_while(|time| *time <= until).chain(rests.then_some(f64::INFINITY)).collect()

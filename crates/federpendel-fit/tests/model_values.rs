@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Case, QUANTITIES, cases, motion, recorded};
+use common::{Case, QUANTITIES, cases, recorded};
 use federpendel_fit::model::{Course, evaluate};
 use federpendel_fit::{Jacobian, ModelError, Parameters, Quantity, Stop};
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ proptest! {
     #[test]
     fn values_are_those_of_the_exact_motion(case in cases(), first in -100.0..100.0) {
         let times = case.times(first, 301);
-        let motion = motion(&case.parameters, case.held);
+        let motion = case.parameters.motion(case.held).unwrap();
         prop_assume!(!tied(&case, &motion, times[300] - first));
         for quantity in QUANTITIES {
             let (found, _) = values(&case, case.stop(), &times, quantity);
@@ -62,7 +62,7 @@ proptest! {
     fn turning_points_and_rest_are_those_of_the_exact_motion(case in cases()) {
         let times = case.times(7.0, 50);
         let last = times[49] - 7.0;
-        let motion = motion(&case.parameters, case.held);
+        let motion = case.parameters.motion(case.held).unwrap();
         prop_assume!(!tied(&case, &motion, last));
         let (_, course) = values(&case, case.stop(), &times, Quantity::Position);
         let expected: Vec<_> = motion.turning_points().take_while(|turn| turn.time <= last).collect();

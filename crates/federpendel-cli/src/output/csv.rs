@@ -66,16 +66,28 @@ pub(super) fn table<R: AsRef<[f64]>>(
     dialect: Dialect,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    write_table(header, rows, dialect, out).map_err(|error| match error.into_kind() {
+    let cells =
+        |row: R| -> Vec<_> { row.as_ref().iter().map(|number| cell(*number, dialect)).collect() };
+    records(header, rows.map(cells), dialect, out)
+}
+
+/// Writes a table of cells under its header.
+pub(super) fn records(
+    header: &[String],
+    rows: impl Iterator<Item = Vec<String>>,
+    dialect: Dialect,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_records(header, rows, dialect, out).map_err(|error| match error.into_kind() {
         // As it is, so that a broken pipe is known as one.
         ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
     })
 }
 
-fn write_table<R: AsRef<[f64]>>(
+fn write_records(
     header: &[String],
-    rows: impl Iterator<Item = R>,
+    rows: impl Iterator<Item = Vec<String>>,
     dialect: Dialect,
     out: &mut dyn Write,
 ) -> csv::Result<()> {
@@ -86,13 +98,13 @@ fn write_table<R: AsRef<[f64]>>(
         .from_writer(out);
     table.write_record(header)?;
     for row in rows {
-        table.write_record(row.as_ref().iter().map(|number| cell(*number, dialect)))?;
+        table.write_record(row)?;
     }
     Ok(table.flush()?)
 }
 
 /// The shortest text that gives back the same number.
-fn cell(number: f64, dialect: Dialect) -> String {
+pub(super) fn cell(number: f64, dialect: Dialect) -> String {
     // Adding zero turns −0 into 0 and changes nothing else.
     let number = number + 0.0;
     let text = match number.abs() {

@@ -10,18 +10,18 @@ mod tidy;
 use std::io::{self, Write};
 
 use federpendel_report::article::Checks;
-use federpendel_report::recording::Fitted;
 use federpendel_text::Catalogue;
 use serde::Serialize;
 use serde_json::Serializer;
 
 use crate::comparison::Comparison;
+use crate::fit::Fits;
 use crate::record::Record;
 use crate::score::Score;
 use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;
-use fit::FitsDocument;
+use fit::{FitDocument, FitsDocument};
 use score::ScoreDocument;
 use tidy::Tidy;
 
@@ -46,11 +46,14 @@ pub(super) fn write_article(
 }
 
 pub(super) fn write_fits(
-    fits: &[Fitted],
+    fits: &Fits,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    write_document(&FitsDocument::new(fits, catalogue), out)
+    match (&fits.fitted[..], &fits.failed[..]) {
+        ([fit], []) => write_document(&FitDocument::new(fit, catalogue), out),
+        _ => write_document(&FitsDocument::new(fits, catalogue), out),
+    }
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

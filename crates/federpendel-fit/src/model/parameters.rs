@@ -1,5 +1,7 @@
 //! What the model depends on.
 
+use federpendel::{Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, State, Stokes};
+
 /// The parameters of a free decay, in reduced units; lengths are in the unit of the recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
@@ -33,6 +35,27 @@ impl Parameters {
 
     /// How many there are.
     pub const COUNT: usize = 7;
+
+    /// The motion from the first time of the recording on, of a mass of 1 kg held by static friction up to
+    /// `static_acceleration`.
+    ///
+    /// # Errors
+    /// As [`Motion::new`], if a parameter is out of range.
+    pub fn motion(&self, static_acceleration: f64) -> federpendel::Result<Motion> {
+        let dry = self.coulomb_acceleration;
+        // γ = D/(2m), a_c = μ_k F_N/m with F_N = 1 N, κ = ½ρc_wA/m.
+        let friction = Friction {
+            stokes: Some(Stokes::new(2.0 * self.damping_rate)?),
+            coulomb: Some(Coulomb::new(
+                dry,
+                static_acceleration.max(dry),
+                NormalForce::Given(1.0),
+            )?),
+            newton: Some(Newton::new(self.newton_rate)?),
+        };
+        let oscillator = Oscillator::new(1.0, self.angular_frequency.powi(2), friction)?;
+        Motion::new(oscillator, State::new(self.position0, self.velocity0)?)
+    }
 
     /// They in the order of the fields, which is that of the columns of a [`Jacobian`](super::Jacobian).
     pub fn to_array(&self) -> [f64; Self::COUNT] {

@@ -1,6 +1,5 @@
 //! What the tests of the model share: random motions, and their samples from the core crate.
 
-use federpendel::{Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, State, Stokes};
 use federpendel_fit::{Parameters, Quantity, Stop};
 use proptest::prelude::*;
 
@@ -51,18 +50,6 @@ impl Case {
     }
 }
 
-/// The motion of the core crate.
-pub fn motion(p: &Parameters, held: f64) -> Motion {
-    // Unit mass; forces as coefficients under a unit normal force.
-    let friction = Friction {
-        stokes: Some(Stokes::new(2.0 * p.damping_rate).unwrap()),
-        coulomb: Some(Coulomb::new(p.coulomb_acceleration, held, NormalForce::Given(1.0)).unwrap()),
-        newton: Some(Newton::new(p.newton_rate).unwrap()),
-    };
-    let oscillator = Oscillator::new(1.0, p.angular_frequency.powi(2), friction).unwrap();
-    Motion::new(oscillator, State::new(p.position0, p.velocity0).unwrap()).unwrap()
-}
-
 /// What the core crate says that is recorded at the times since the first.
 pub fn recorded(p: &Parameters, held: f64, times: &[f64], quantity: Quantity) -> Vec<f64> {
     let since: Vec<f64> = times.iter().map(|t| t - times[0]).collect();
@@ -71,7 +58,7 @@ pub fn recorded(p: &Parameters, held: f64, times: &[f64], quantity: Quantity) ->
         Quantity::Velocity => sample.velocity,
         Quantity::Acceleration => sample.acceleration,
     };
-    let samples = motion(p, held).samples(&since).unwrap();
+    let samples = p.motion(held).unwrap().samples(&since).unwrap();
     samples.into_iter().map(|sample| value(sample) + p.equilibrium).collect()
 }
 

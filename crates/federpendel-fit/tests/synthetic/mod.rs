@@ -4,9 +4,7 @@
 
 use std::f64::consts::PI;
 
-use federpendel::{
-    Coulomb, Friction, Mix, Motion, Newton, NormalForce, Oscillator, Result, State, Stokes,
-};
+use federpendel::{Mix, Result};
 use federpendel_fit::{Parameters, Quantity, Recording};
 
 /// xorshift64* (Vigna 2016).
@@ -60,21 +58,6 @@ pub struct Known {
     pub rests: Option<u64>,
 }
 
-/// The motion of these parameters.
-pub fn motion(p: &Parameters, static_acceleration: f64) -> Result<Motion> {
-    let friction = Friction {
-        stokes: Some(Stokes::new(2.0 * p.damping_rate)?),
-        coulomb: Some(Coulomb::new(
-            p.coulomb_acceleration,
-            static_acceleration.max(p.coulomb_acceleration),
-            NormalForce::Given(1.0),
-        )?),
-        newton: Some(Newton::new(p.newton_rate)?),
-    };
-    let oscillator = Oscillator::new(1.0, p.angular_frequency.powi(2), friction)?;
-    Motion::new(oscillator, State::new(p.position0, p.velocity0)?)
-}
-
 /// A random recording; `correlation` is that of neighbouring values of the noise.
 pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
     let bits = (random.unit() * 8.0) as u8;
@@ -124,7 +107,7 @@ pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
     let times: Vec<f64> =
         (0..samples).map(|i| clock + duration * i as f64 / (samples - 1) as f64).collect();
     let release_time = clock + hold;
-    let motion = motion(&truth, static_acceleration)?;
+    let motion = truth.motion(static_acceleration)?;
     let sigma = random.scale(0.001, 0.02) * scale;
     let (mut noise, mut before) = (Vec::new(), 0.0);
     for _ in 0..samples {

@@ -37,8 +37,9 @@ impl Fitted {
             Quantity::Acceleration => ("fit-quantity-acceleration", "a"),
         };
         let quantity = catalogue.text(id);
-        let variables =
-            [("name", self.name.as_str().into()), ("quantity", quantity.as_str().into())];
+        // Without its folders, which would fill the line.
+        let name = self.name.rsplit(['/', '\\']).next().unwrap_or_default();
+        let variables = [("name", name.into()), ("quantity", quantity.as_str().into())];
         let title = catalogue.format("fit-title", &variables);
         let data = RecordingData {
             title: &title,

@@ -1,7 +1,7 @@
 //! How a recording was read, and which part of it is fitted.
 
-use federpendel_fit::Edge;
 use federpendel_fit::read::{Note, ReadError, Rows};
+use federpendel_fit::{Edge, StopReason};
 use federpendel_text::{Catalogue, Value, excerpt};
 
 use super::refused_file::{line, of_file, quantity};
@@ -67,5 +67,14 @@ pub fn edge(catalogue: &Catalogue, edge: Edge) -> String {
         Edge::Still => "fit-edge-still",
         Edge::Disturbed => "fit-edge-disturbed",
         Edge::Unrest => "fit-edge-unrest",
+    })
+}
+
+/// Why a search ended, without a full stop.
+pub fn stop_reason(catalogue: &Catalogue, reason: StopReason) -> String {
+    catalogue.text(match reason {
+        StopReason::Converged => "fit-stop-converged",
+        StopReason::NoProgress => "fit-stop-no-progress",
+        StopReason::StepLimit => "fit-stop-step-limit",
     })
 }

@@ -1,79 +1,156 @@
 //! What a fit found, in sentences.
 
-use federpendel::Mix;
-use federpendel_fit::{Fault, Model, Standing};
+use federpendel_fit::{Fault, Laws, Model, Parameter, Standing};
 use federpendel_text::Catalogue;
 
 use super::Fitted;
+use super::law::{LAWS, Law};
 
-/// The laws, each with the parameter that says how strongly it acts, in the order of the verdict.
-const LAWS: [Law; 3] = [
-    Law { name: "article-law-stokes", acts: "fit-law-stokes", parameter: "damping_rate" },
-    Law { name: "article-law-coulomb", acts: "fit-law-coulomb", parameter: "coulomb_acceleration" },
-    Law { name: "article-law-newton", acts: "fit-law-newton", parameter: "newton_rate" },
-];
+/// From this share of the lost energy on a law dominates.
+const DOMINATES: f64 = 2.0 / 3.0;
 
-/// A law: the sentences that name it and say how strongly it acts, and its parameter.
-struct Law {
-    name: &'static str,
-    acts: &'static str,
-    parameter: &'static str,
-}
+/// From so many standard errors on nobody asks whether a law is there.
+const BEYOND_DOUBT: f64 = 10.0;
 
 /// The verdict: what acts and how strongly, what is not needed, what cannot be told, what is wrong.
 pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     let report = &fit.report;
+    let asked = matches!(report.laws, Laws::Exactly(_));
+    let Some(model) = report.best() else { return vec![] };
     let mut sentences = Vec::new();
+    if asked {
+        sentences.push(as_asked(fit, model, catalogue));
+    }
     if !report.adequacy.adequate {
         // What acts cannot be told from a motion that no mix describes.
-        return vec![wrong(fit, catalogue)];
+        sentences.push(wrong(fit, catalogue));
+        return sentences;
     }
-    sentences.extend(report.best().map(|model| acting(fit, model, catalogue)));
-    for (law, standing) in LAWS.iter().zip(report.verdict.laws) {
-        if standing == Standing::NotNeeded {
-            let law = catalogue.text(law.name);
-            sentences.push(catalogue.format("fit-not-needed", &[("law", law.into())]));
-        }
+    if !asked {
+        sentences.push(acting(fit, model, catalogue));
     }
-    let mix = |mix: Mix| catalogue.mix(mix);
-    for reach in &report.reaches {
-        let [one, other] = reach.mixes.map(mix);
-        let pair = [("one", one.into()), ("other", other.into())];
-        sentences.push(match reach.from {
-            Some(from) => {
-                let amplitude = catalogue.quantity(from, &fit.report.length_unit(), 2);
-                let [one, other] = pair;
-                catalogue
-                    .format("fit-cannot-separate", &[one, other, ("amplitude", amplitude.into())])
-            }
-            None => catalogue.format("fit-never-separates", &pair),
-        });
-    }
-    let rest = report.best().and_then(|model| model.rest.as_ref());
-    sentences.extend(rest.map(|rest| {
+    sentences.extend(regime(fit, model, catalogue));
+    sentences.extend(not_needed(fit, catalogue));
+    sentences.extend(not_separated(fit, catalogue));
+    sentences.extend(model.rest.as_ref().map(|rest| {
         let time = catalogue.quantity(rest.time, "s", 4);
         catalogue.format("fit-rests", &[("time", time.into())])
     }));
     sentences
 }
 
-/// The laws of the verdict's mix with their coefficients.
+/// The laws of the verdict's mix with their coefficients, that which takes most energy first.
 fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
-    let mix = fit.report.verdict.mix;
-    let acts = [mix.stokes, mix.coulomb, mix.newton];
-    let laws = LAWS.iter().zip(acts).filter(|(_, acts)| *acts).filter_map(|(law, _)| {
-        let parameter = model.parameter(law.parameter)?;
-        let error = parameter.stderr.unwrap_or(f64::NAN);
-        let value = catalogue.measured(parameter.value?, error, &fit.report.unit_of(law.parameter));
-        Some(catalogue.format(law.acts, &[("value", value.into())]))
+    let shares = fit.report.shares.unwrap_or_default();
+    let mut acting: Vec<(&Law, f64)> =
+        LAWS.iter().zip(shares).filter(|(law, _)| (law.acts)(model.mix)).collect();
+    acting.sort_by(|(_, one), (_, other)| other.total_cmp(one));
+    let Some(((first, share), others)) = acting.split_first() else {
+        return catalogue.text("fit-acts-none");
+    };
+    let percent = |share: f64| format!("{} %", catalogue.number(100.0 * share, 2));
+    let variables = [
+        ("law", first.name(catalogue).into()),
+        ("value", first.value(fit, model, catalogue).into()),
+        ("share", percent(*share).into()),
+    ];
+    let id = match others {
+        // Another mix would do as well, which the next sentence says.
+        _ if !fit.report.verdict.alternatives.is_empty() => "fit-fits-best",
+        [] => "fit-acts-alone",
+        _ if *share >= DOMINATES => "fit-dominates",
+        _ => "fit-leads",
+    };
+    let also = others.iter().map(|(law, share)| {
+        let sigmas = law.sigmas(model).filter(|sigmas| *sigmas < BEYOND_DOUBT);
+        let surely = sigmas.map(|sigmas| format!("{}σ, ", catalogue.number(sigmas.round(), 2)));
+        let variables = [
+            ("law", law.inside(catalogue).into()),
+            ("value", law.value(fit, model, catalogue).into()),
+            ("surely", surely.unwrap_or_default().into()),
+            ("share", percent(*share).into()),
+        ];
+        catalogue.format("fit-acts-too", &variables)
     });
-    let joined = laws.reduce(|one, other| {
-        catalogue.format("fit-and", &[("one", one.into()), ("other", other.into())])
-    });
-    match joined {
-        None => catalogue.text("fit-acts-none"),
-        Some(laws) => catalogue.format("fit-acts", &[("laws", laws.into())]),
+    let clauses: Vec<_> = std::iter::once(catalogue.format(id, &variables)).chain(also).collect();
+    format!("{}.", clauses.join("; "))
+}
+
+/// The coefficients of a mix that was asked for.
+fn as_asked(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
+    let asked = LAWS.iter().filter(|law| (law.acts)(model.mix));
+    let values: Vec<_> = asked.map(|law| law.value(fit, model, catalogue)).collect();
+    match values[..] {
+        [] => catalogue.text("fit-asked-none"),
+        _ => catalogue.format("fit-asked", &[("values", values.join(", ").into())]),
     }
+}
+
+/// From this damping ratio on one cannot count swings, and the regime is said.
+const STRONG: f64 = 0.5;
+
+/// Damping ratios within this factor of one are near critical.
+const NEAR: f64 = 1.25;
+
+/// Whether the motion is critical, or near it, where viscous friction is strong.
+fn regime(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Option<String> {
+    let (ratio, error) = damping_ratio(model)?;
+    if !fit.report.verdict.mix.stokes || ratio < STRONG {
+        return None;
+    }
+    let surely = |distance: f64| distance.abs() > 2.0 * error;
+    let id = if !surely(ratio - 1.0) || (1.0 / NEAR..=NEAR).contains(&ratio) {
+        "fit-regime-critical"
+    } else if ratio > 1.0 {
+        "fit-regime-overdamped"
+    } else {
+        "fit-regime-strong"
+    };
+    Some(catalogue.format(id, &[("ratio", catalogue.measured(ratio, error, "1").into())]))
+}
+
+/// ζ = γ/ω₀ and its standard error, from those of both and their correlation.
+fn damping_ratio(model: &Model) -> Option<(f64, f64)> {
+    let place = |name| model.parameters.iter().position(|parameter| parameter.name == name);
+    let (i, j) = (place("damping_rate")?, place("angular_frequency")?);
+    let relative = |i: usize| {
+        let Parameter { value, stderr, .. } = model.parameters[i];
+        Some(stderr? / value?)
+    };
+    let (gamma, omega) = (relative(i)?, relative(j)?);
+    let r = model.correlations.get(i)?.get(j)?;
+    let ratio = model.value("damping_rate") / model.value("angular_frequency");
+    let variance = gamma * gamma + omega * omega - 2.0 * r * gamma * omega;
+    Some((ratio, ratio * variance.max(0.0).sqrt()))
+}
+
+/// The laws without which the recording is described as well, in one sentence.
+fn not_needed(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
+    let standing = LAWS.iter().zip(fit.report.verdict.laws);
+    let laws: Vec<_> =
+        standing.filter(|(_, stands)| *stands == Standing::NotNeeded).map(|(law, _)| law).collect();
+    let (first, others) = laws.split_first()?;
+    let all = others.iter().fold(first.name(catalogue), |one, other| {
+        let pair = [("one", one.into()), ("other", other.inside(catalogue).into())];
+        catalogue.format("fit-and", &pair)
+    });
+    let variables = [("laws", all.into()), ("number", laws.len().into())];
+    Some(catalogue.format("fit-not-needed", &variables))
+}
+
+/// The mixes that this recording cannot tell apart, and what recording could.
+fn not_separated(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
+    let sentence = |reach: &federpendel_fit::Reach| {
+        let [one, other] = reach.mixes.map(|mix| catalogue.mix(mix));
+        let mut variables = vec![("one", one.into()), ("other", other.into())];
+        let Some(from) = reach.from else {
+            return catalogue.format("fit-never-separates", &variables);
+        };
+        let amplitude = catalogue.quantity(from, &fit.report.length_unit(), 2);
+        variables.push(("amplitude", amplitude.into()));
+        catalogue.format("fit-cannot-separate", &variables)
+    };
+    fit.report.reaches.iter().map(sentence).collect()
 }
 
 /// Why no mix describes the recording: the gravest of what was found.

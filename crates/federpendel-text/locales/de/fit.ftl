@@ -101,6 +101,7 @@ fit-refused-value = Wert Nummer { $number } ist { $value }; erlaubt ist { $allow
 fit-refused-option = { $name } ist { $value }; erlaubt ist { $allowed }
 fit-refused-still = Von { $from } bis { $to } sind alle Werte gleich; erlaubt ist ein Teil, in dem sich die Masse bewegt
 fit-refused-no-fit = Von { $from } bis { $to } lässt sich keine Bewegung eines Federpendels anpassen; erlaubt ist ein Teil, in dem es frei schwingt
+fit-some-failed = { $failed } von { $all } Aufzeichnungen ließen sich nicht anpassen
 
 ### Warum der angepasste Teil dort beginnt oder endet, wo er es tut
 
@@ -112,3 +113,39 @@ fit-edge-misfit = die Werte davor gehören nicht zu der Bewegung, die folgt
 fit-edge-still = danach liegt die Masse still
 fit-edge-disturbed = danach bewegt etwas anderes die Masse
 fit-edge-unrest = danach klingen die Schwingungen nicht mehr ab: Etwas anderes hält die Masse in Bewegung, etwa der Boden
+
+### Was in einer Aufzeichnung gefunden wurde
+
+fit-law-stokes = Viskose (Stokessche) Reibung
+    .inside = viskose (Stokessche) Reibung
+fit-law-coulomb = Trockene (Coulombsche) Reibung
+    .inside = trockene (Coulombsche) Reibung
+fit-law-newton = Quadratische (Newtonsche) Reibung
+    .inside = quadratische (Newtonsche) Reibung
+fit-acts-none = In dieser Aufzeichnung zeigt sich keine Reibung.
+fit-acts-alone = { $law } wirkt: { $value }
+fit-regime-strong = Die Dämpfung ist stark: Der Dämpfungsgrad ist { $ratio }.
+fit-regime-overdamped = Die Masse kriecht zurück, ohne zu schwingen: Der Dämpfungsgrad ist { $ratio }.
+fit-regime-critical = Die Dämpfung liegt nahe am aperiodischen Grenzfall: Der Dämpfungsgrad ist { $ratio }.
+fit-fits-best = { $law } passt am besten: { $value }
+fit-dominates = { $law } überwiegt: { $value }, { $share } der verlorenen Energie
+fit-leads = { $law } wirkt: { $value }, { $share } der verlorenen Energie
+fit-acts-too = { $law } wirkt mit: { $value } ({ $surely }{ $share })
+fit-asked = Angepasst wie verlangt: { $values }.
+fit-asked-none = Angepasst wie verlangt, ohne Reibung.
+fit-and = { $one } und { $other }
+fit-not-needed =
+    { $number ->
+        [one] { $laws } wird nicht gebraucht.
+       *[other] { $laws } werden nicht gebraucht.
+    }
+fit-cannot-separate = Diese Amplituden lassen offen, ob { $one } oder { $other } wirkt: Um das zu entscheiden, ab mindestens { $amplitude } loslassen.
+fit-never-separates = Diese Aufzeichnung lässt offen, ob { $one } oder { $other } wirkt; auch größere Amplituden würden es nicht entscheiden.
+fit-wrong-softening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode wächst mit der Amplitude, wie bei einem Pendel mit großen Ausschlägen (eine Feder, die weicher wird).
+fit-wrong-hardening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
+fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode driftet.
+fit-wrong-losses = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
+fit-wrong-zero-drift = Kein Gemisch beschreibt diese Aufzeichnung: Der Nullpunkt des Sensors driftet.
+fit-wrong-shape = Kein Gemisch beschreibt diese Aufzeichnung: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
+fit-wrong = Kein Gemisch beschreibt diese Aufzeichnung.
+fit-rests = Die Masse kommt bei { $time } zur Ruhe.

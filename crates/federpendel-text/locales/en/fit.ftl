@@ -101,6 +101,7 @@ fit-refused-value = value number { $number } is { $value }; allowed is { $allowe
 fit-refused-option = { $name } is { $value }; allowed is { $allowed }
 fit-refused-still = from { $from } to { $to } all values are the same; allowed is a part in which the mass moves
 fit-refused-no-fit = from { $from } to { $to } no motion of a mass on a spring can be fitted; allowed is a part in which it swings freely
+fit-some-failed = { $failed } of { $all } recordings could not be fitted
 
 ### Why the fitted part begins or ends where it does
 
@@ -112,3 +113,39 @@ fit-edge-misfit = the values before this do not belong to the motion that follow
 fit-edge-still = after this the mass lies still
 fit-edge-disturbed = after this something else moves the mass
 fit-edge-unrest = after this swings no longer shrink: something else keeps the mass in motion, as the ground does
+
+### What was found in a recording
+
+fit-law-stokes = Viscous (Stokes) friction
+    .inside = viscous (Stokes) friction
+fit-law-coulomb = Dry (Coulomb) friction
+    .inside = dry (Coulomb) friction
+fit-law-newton = Quadratic (Newton) friction
+    .inside = quadratic (Newton) friction
+fit-acts-none = No friction shows in this recording.
+fit-acts-alone = { $law } acts: { $value }
+fit-regime-strong = The damping is strong: its ratio is { $ratio }.
+fit-regime-overdamped = The mass creeps back without a swing: the damping ratio is { $ratio }.
+fit-regime-critical = The damping is near critical: its ratio is { $ratio }.
+fit-fits-best = { $law } fits best: { $value }
+fit-dominates = { $law } dominates: { $value }, { $share } of the lost energy
+fit-leads = { $law } acts: { $value }, { $share } of the lost energy
+fit-acts-too = { $law } acts as well: { $value } ({ $surely }{ $share })
+fit-asked = Fitted as asked: { $values }.
+fit-asked-none = Fitted as asked, without friction.
+fit-and = { $one } and { $other }
+fit-not-needed =
+    { $number ->
+        [one] { $laws } is not needed.
+       *[other] { $laws } are not needed.
+    }
+fit-cannot-separate = These amplitudes cannot tell { $one } from { $other }: release from at least { $amplitude } to do so.
+fit-never-separates = This recording cannot tell { $one } from { $other }, nor would one from larger amplitudes.
+fit-wrong-softening = No mix describes this recording: the period grows with amplitude, as for a pendulum at large angles (a softening spring).
+fit-wrong-hardening = No mix describes this recording: the period falls with amplitude (a hardening spring).
+fit-wrong-period-drift = No mix describes this recording: the period drifts.
+fit-wrong-losses = No mix describes this recording: the losses of amplitude are those of no mix of the three laws.
+fit-wrong-zero-drift = No mix describes this recording: the zero of the sensor drifts.
+fit-wrong-shape = No mix describes this recording: the swings have another shape, as of a sensor that is not linear.
+fit-wrong = No mix describes this recording.
+fit-rests = The mass comes to rest at { $time }.

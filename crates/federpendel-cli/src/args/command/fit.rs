@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Arg, ArgAction, Command, value_parser};
+use clap::{Arg, Command, value_parser};
 use federpendel_text::Catalogue;
 
 use super::{choice, common, details, file, usage};
-use crate::args::QUANTITIES;
-use crate::output::Format;
+use crate::args::{DARK, LIGHT, QUANTITIES};
+use crate::fit::{INTERVALS, LOSSES};
+use crate::output::{Dialect, Format};
 
 pub(super) fn fit(catalogue: &Catalogue) -> Command {
     let command = Command::new("fit")
@@ -47,12 +48,15 @@ fn options(catalogue: &Catalogue) -> Vec<Arg> {
         named("to", "cli-value-quantity", "cli-fit-to"),
         named("sigma", "cli-value-number", "cli-fit-sigma"),
         file(&Format::OF_FITS, "cli-fit-output", catalogue),
-        choice("format", Format::REPORTS_ON_STDOUT.map(Format::name), catalogue)
-            .help(catalogue.text("cli-article-format")),
-        Arg::new("profile")
-            .long("profile")
-            .action(ArgAction::SetTrue)
-            .help(catalogue.text("cli-fit-profile")),
+        choice("format", Format::ON_STDOUT.map(Format::name), catalogue)
+            .help(catalogue.text("cli-fit-format")),
+        choice("intervals", INTERVALS.map(|(name, _)| name), catalogue)
+            .help(catalogue.text("cli-fit-intervals")),
+        choice("loss", LOSSES.map(|(name, _)| name), catalogue)
+            .help(catalogue.text("cli-fit-loss")),
+        choice("csv-dialect", Dialect::ALL.map(Dialect::name), catalogue)
+            .help(catalogue.text("cli-csv-dialect")),
+        choice("theme", [LIGHT, DARK], catalogue).help(catalogue.text("cli-theme")),
         details("cli-details", catalogue),
     ];
     arguments.into_iter().map(|arg| arg.help_heading(heading.clone())).collect()

@@ -3,13 +3,15 @@
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
-use federpendel_fit::Parameter;
-use federpendel_report::recording::{Fitted, edge, sentences};
+use console::style;
+use federpendel_fit::{Model, Parameter};
+use federpendel_report::recording::{Fitted, sentences};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
 use super::super::summary::{Table, room, wrap};
 use super::super::targets::Targets;
+use super::details;
 
 /// Rows besides the picture.
 const ROWS_BESIDES: usize = 16;
@@ -17,6 +19,7 @@ const ROWS_BESIDES: usize = 16;
 /// Fewest rows of the picture.
 const FEWEST_ROWS: usize = 14;
 
+/// Writes all about one fit.
 pub(super) fn write(
     fit: &Fitted,
     targets: &Targets,
@@ -26,19 +29,67 @@ pub(super) fn write(
     let (columns, rows) = room(ROWS_BESIDES);
     let [plot, _] = fit.plots(catalogue);
     write_terminal(&plot, (columns, rows.max(FEWEST_ROWS)), out)?;
-    for line in sentences(fit, catalogue).iter().flat_map(|sentence| wrap(sentence, columns)) {
-        writeln!(out, "{line}")?;
-    }
+    verdict(fit, columns, catalogue, out)?;
     writeln!(out)?;
-    table(fit, catalogue).write(columns, out)?;
+    let mut table = about(fit, catalogue);
+    // Of a motion that no mix describes the coefficients are not known.
+    if !fit.report.adequacy.adequate {
+        table.write(columns, out)?;
+        writeln!(out)?;
+        if !targets.details {
+            return Ok(());
+        }
+        writeln!(out, "{}", catalogue.text("fit-heading-all-the-same"))?;
+        table = Table::new(catalogue);
+    }
+    for parameter in parameters(fit) {
+        let value = match targets.details {
+            true => details::with_interval(fit, parameter, catalogue),
+            false => value(fit, parameter, catalogue),
+        };
+        table.row(parameter_name(parameter), value);
+    }
+    if let Some(model) = fit.report.best() {
+        table.row("fit-row-residual", catalogue.quantity(model.rms, &fit.report.unit, 3));
+    }
+    table.write(columns, out)?;
     writeln!(out)?;
     if targets.details {
-        details(fit, columns, catalogue, out)?;
+        details::write(fit, columns, catalogue, out)?;
     }
     Ok(())
 }
 
-fn table<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
+/// Writes one fit of many: its name, the verdict, and the values that tell them apart.
+pub(super) fn write_short(
+    fit: &Fitted,
+    targets: &Targets,
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    if targets.details {
+        return write(fit, targets, catalogue, out);
+    }
+    let (columns, _) = room(ROWS_BESIDES);
+    writeln!(out, "{}", style(&fit.name).bold())?;
+    verdict(fit, columns, catalogue, out)?;
+    about(fit, catalogue).write(columns, out)?;
+    writeln!(out)
+}
+
+fn verdict(
+    fit: &Fitted,
+    columns: usize,
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let sentences = sentences(fit, catalogue);
+    let mut lines = sentences.iter().flat_map(|sentence| wrap(sentence, columns));
+    lines.try_for_each(|line| writeln!(out, "{line}"))
+}
+
+/// What was fitted, and what an engineer asks first.
+fn about<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
     let mut table = Table::new(catalogue);
     let report = &fit.report;
     table.row("fit-row-column", fit.read.value.label.clone());
@@ -48,25 +99,23 @@ fn table<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
         ("samples", report.samples.into()),
     ];
     table.row("fit-row-window", catalogue.format("fit-window-value", &window));
-    let Some(model) = report.best() else { return table };
-    if let Some((value, error)) = known(model.parameter("angular_frequency")) {
+    if fit.read.recording.unit.is_empty() {
+        table.row("fit-row-unit", catalogue.text("fit-unit-nameless"));
+    }
+    let omega = report.best().and_then(|model| known(model, "angular_frequency"));
+    if let Some((value, error)) = omega {
         let frequency = catalogue.measured(value / (2.0 * PI), error / (2.0 * PI), "Hz");
         table.row("fit-row-frequency", frequency);
     }
-    if let (Some((omega, _)), Some((gamma, error))) =
-        (known(model.parameter("angular_frequency")), known(model.parameter("damping_rate")))
-    {
-        table.row("fit-row-damping-ratio", catalogue.measured(gamma / omega, error / omega, "1"));
-    }
-    for parameter in &model.parameters {
-        table.row(parameter_name(parameter), value(fit, parameter, catalogue));
-    }
-    table.row("fit-row-residual", catalogue.quantity(model.rms, &report.unit, 3));
     table
 }
 
+fn parameters(fit: &Fitted) -> &[Parameter] {
+    fit.report.best().map_or(&[], |model| &model.parameters)
+}
+
 /// The sentence that names a parameter.
-fn parameter_name(parameter: &Parameter) -> &'static str {
+pub(super) fn parameter_name(parameter: &Parameter) -> &'static str {
     match parameter.name {
         "angular_frequency" => "fit-parameter-angular-frequency",
         "damping_rate" => "fit-parameter-damping-rate",
@@ -80,64 +129,19 @@ fn parameter_name(parameter: &Parameter) -> &'static str {
 }
 
 /// A value and its standard error, where both are known.
-fn known(parameter: Option<&Parameter>) -> Option<(f64, f64)> {
-    let parameter = parameter?;
+fn known(model: &Model, name: &str) -> Option<(f64, f64)> {
+    let parameter = model.parameter(name)?;
     Some((parameter.value?, parameter.stderr?))
 }
 
 /// A value with its error, or the interval that is all that is known.
-fn value(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
+pub(super) fn value(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
     let unit = fit.report.unit_of(parameter.name);
-    let (low, high) = interval(parameter, &unit, catalogue);
     match parameter.value {
         Some(value) => catalogue.measured(value, parameter.stderr.unwrap_or(f64::NAN), &unit),
-        None => format!("{low} … {high}"),
-    }
-}
-
-fn interval(parameter: &Parameter, unit: &str, catalogue: &Catalogue) -> (String, String) {
-    let end = |value: Option<f64>, open: &str| {
-        value.map_or_else(|| open.to_owned(), |value| catalogue.quantity(value, unit, 4))
-    };
-    (end(parameter.interval95.0, "−∞"), end(parameter.interval95.1, "∞"))
-}
-
-/// Intervals, the ranking of mixes, and why the fitted part is what it is.
-fn details(
-    fit: &Fitted,
-    columns: usize,
-    catalogue: &Catalogue,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let report = &fit.report;
-    let mut table = Table::new(catalogue);
-    table.row("fit-row-begins", edge(catalogue, report.window.begins));
-    table.row("fit-row-ends", edge(catalogue, report.window.ends));
-    if let Some(model) = report.best() {
-        for parameter in &model.parameters {
-            let (low, high) = interval(parameter, &fit.report.unit_of(parameter.name), catalogue);
-            let variables = [
-                ("value", value(fit, parameter, catalogue).into()),
-                ("low", low.into()),
-                ("high", high.into()),
-            ];
-            table.row(parameter_name(parameter), catalogue.format("fit-interval", &variables));
+        None => {
+            let (low, high) = details::interval(parameter, &unit, catalogue);
+            format!("{low} … {high}")
         }
-        table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
-        table.row("fit-row-reduced", catalogue.number(model.reduced, 5));
     }
-    table.row("fit-row-evaluations", report.evaluations.to_string());
-    table.write(columns, out)?;
-    writeln!(out, "\n{}", catalogue.text("fit-heading-models"))?;
-    let mut ranking = Table::new(catalogue);
-    for model in &report.models {
-        let variables = [
-            ("aicc", catalogue.number(model.criteria.aicc, 6).into()),
-            ("bic", catalogue.number(model.criteria.bic, 6).into()),
-            ("rms", catalogue.quantity(model.rms, &report.unit, 4).into()),
-        ];
-        ranking.named(catalogue.mix(model.mix), catalogue.format("fit-model-row", &variables));
-    }
-    ranking.write(columns, out)?;
-    writeln!(out)
 }

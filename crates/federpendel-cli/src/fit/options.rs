@@ -1,0 +1,77 @@
+//! What the arguments of `fit` choose.
+
+use federpendel::Mix;
+use federpendel_fit::{Bootstrap, Intervals, Laws, Loss, Options};
+use federpendel_text::Catalogue;
+
+use crate::args::Fit;
+use crate::failure::Failure;
+use crate::quantity::{self, Dimension, parse};
+use crate::words::quantity_problem;
+
+/// Refits for intervals from a bootstrap: enough for the ends of the middle 95 % to be sure to a tenth.
+const BOOTSTRAP: Bootstrap = Bootstrap { repeats: 1000, seed: 1 };
+
+/// How intervals are found, by name.
+pub const INTERVALS: [(&str, Intervals); 3] = [
+    ("profile", Intervals::Profile),
+    ("covariance", Intervals::Covariance),
+    ("bootstrap", Intervals::Bootstrap(BOOTSTRAP)),
+];
+
+/// How residuals count, by name.
+pub const LOSSES: [(&str, Loss); 3] =
+    [("squares", Loss::Squares), ("huber", Loss::Huber), ("tukey", Loss::Tukey)];
+
+/// The choices for the fit.
+pub fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failure> {
+    let value = |name: &str, written: &Option<String>, dimension| {
+        let read = |written: &String| {
+            parse(written, dimension).map_err(|error| refused(name, written, &error, catalogue))
+        };
+        written.as_ref().map(read).transpose()
+    };
+    Ok(Options {
+        laws: laws(arguments.laws.as_deref(), catalogue)?,
+        from: value("from", &arguments.from, Dimension::Time)?,
+        to: value("to", &arguments.to, Dimension::Time)?,
+        sigma: value("sigma", &arguments.sigma, Dimension::Number)?,
+        loss: arguments.loss,
+        intervals: arguments.intervals,
+        ..Options::default()
+    })
+}
+
+fn refused(name: &str, written: &str, error: &quantity::Error, catalogue: &Catalogue) -> Failure {
+    let variables = [
+        ("name", format!("--{name}").into()),
+        ("value", catalogue.quoted(written).into()),
+        ("problem", quantity_problem(catalogue, error).into()),
+    ];
+    Failure::Input(catalogue.format("fit-option-refused", &variables))
+}
+
+/// The laws: `auto` for those that show, `none`, or a list of those that act.
+fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Laws, Failure> {
+    let mut mix = Mix::default();
+    match written {
+        None | Some("auto") => return Ok(Options::default().laws),
+        Some("none") => return Ok(Laws::Exactly(mix)),
+        Some(list) => {
+            for name in list.split(',') {
+                match name.trim() {
+                    "stokes" => mix.stokes = true,
+                    "coulomb" => mix.coulomb = true,
+                    "newton" => mix.newton = true,
+                    other => {
+                        let variables = [("value", other.into())];
+                        return Err(Failure::Input(
+                            catalogue.format("fit-laws-refused", &variables),
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    Ok(Laws::Exactly(mix))
+}

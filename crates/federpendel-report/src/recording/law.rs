@@ -1,0 +1,69 @@
+//! A law of friction as a sentence about a fit names it.
+
+use federpendel::Mix;
+use federpendel_fit::Model;
+use federpendel_text::Catalogue;
+
+use super::Fitted;
+
+/// A law: its name, the symbol and the parameter that say how strongly it acts.
+pub struct Law {
+    name: &'static str,
+    inside: &'static str,
+    symbol: &'static str,
+    parameter: &'static str,
+    /// Whether it is in a mix.
+    pub acts: fn(Mix) -> bool,
+}
+
+/// The laws, in the order of the verdict.
+pub const LAWS: [Law; 3] = [
+    Law {
+        name: "fit-law-stokes",
+        inside: "fit-law-stokes.inside",
+        symbol: "γ",
+        parameter: "damping_rate",
+        acts: |mix| mix.stokes,
+    },
+    Law {
+        name: "fit-law-coulomb",
+        inside: "fit-law-coulomb.inside",
+        symbol: "a_c",
+        parameter: "coulomb_acceleration",
+        acts: |mix| mix.coulomb,
+    },
+    Law {
+        name: "fit-law-newton",
+        inside: "fit-law-newton.inside",
+        symbol: "κ",
+        parameter: "newton_rate",
+        acts: |mix| mix.newton,
+    },
+];
+
+impl Law {
+    /// Its name at the beginning of a sentence.
+    pub fn name(&self, catalogue: &Catalogue) -> String {
+        catalogue.text(self.name)
+    }
+
+    /// Its name inside a sentence.
+    pub fn inside(&self, catalogue: &Catalogue) -> String {
+        catalogue.text(self.inside)
+    }
+
+    /// How strongly it acts: `γ = 0.053 ± 0.002 1/s`.
+    pub fn value(&self, fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
+        let parameter = model.parameter(self.parameter);
+        let value = parameter.and_then(|parameter| parameter.value).unwrap_or(0.0);
+        let error = parameter.and_then(|parameter| parameter.stderr).unwrap_or(f64::NAN);
+        let unit = fit.report.unit_of(self.parameter);
+        format!("{} = {}", self.symbol, catalogue.measured(value, error, &unit))
+    }
+
+    /// How many standard errors it is away from none.
+    pub fn sigmas(&self, model: &Model) -> Option<f64> {
+        let parameter = model.parameter(self.parameter)?;
+        Some(parameter.value? / parameter.stderr?)
+    }
+}
