@@ -143,8 +143,14 @@ pub struct Fit {
     pub value: Option<String>,
     /// What the values are.
     pub quantity: Option<Quantity>,
+    /// The unit of the values, as written.
+    pub unit: Option<String>,
+    /// The rate of even times, as written.
+    pub rate: Option<String>,
     /// The run, as written.
     pub run: Option<String>,
+    /// The sheet of a workbook or the file of an archive, as written.
+    pub table: Option<String>,
     /// The laws that may act, as written.
     pub laws: Option<String>,
     /// When the fitted part begins, as written.
@@ -323,7 +329,10 @@ fn fit(matches: &ArgMatches) -> Fit {
         time: text(matches, "time"),
         value: text(matches, "value"),
         quantity: named(matches, "quantity", &QUANTITIES),
+        unit: text(matches, "unit"),
+        rate: text(matches, "rate"),
         run: text(matches, "run"),
+        table: text(matches, "table"),
         laws: text(matches, "laws"),
         from: text(matches, "from"),
         to: text(matches, "to"),

@@ -39,10 +39,12 @@ pub(crate) struct Failed {
 pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure> {
     let targets =
         Targets::check(&arguments.recordings, &arguments.results, &Format::OF_FITS, catalogue)?;
+    let choice = options::choice(arguments, catalogue)?;
     let options = options::options(arguments, catalogue)?;
+    let sigma = options::sigma_unit(arguments);
     let mut fits = Fits::default();
     for path in &arguments.recordings {
-        add(path, &mut fits, arguments, &options, catalogue);
+        add(path, &mut fits, (&choice, &options, sigma), catalogue);
     }
     // With a single recording there is nothing to write, and nothing to add to why.
     if fits.fitted.is_empty() && fits.failed.len() == 1 {
@@ -55,9 +57,14 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
 }
 
 /// Fits all recordings of a file. One that fails does not stop those behind it.
-fn add(path: &Path, fits: &mut Fits, arguments: &Fit, options: &Options, catalogue: &Catalogue) {
+fn add(
+    path: &Path,
+    fits: &mut Fits,
+    (choice, options, sigma): (&Choice, &Options, Option<&str>),
+    catalogue: &Catalogue,
+) {
     let file = path.display().to_string();
-    let reads = match read(path, &file, arguments, catalogue) {
+    let reads = match read(path, &file, choice, catalogue) {
         Ok(reads) => reads,
         Err(failure) => return fits.failed.push(Failed { name: file, failure }),
     };
@@ -66,12 +73,31 @@ fn add(path: &Path, fits: &mut Fits, arguments: &Fit, options: &Options, catalog
             note(&format!("{file}: {}", read_note(catalogue, remark)));
         }
         let name = name(&file, &read);
-        match fit(&read.recording, options) {
+        let report = same_unit(sigma, &read, &name, catalogue).and_then(|()| {
+            fit(&read.recording, options)
+                .map_err(|error| Failure::Input(fit_error(catalogue, &error, &name)))
+        });
+        match report {
             Ok(report) => fits.fitted.push(Fitted::new(name, read, report)),
-            Err(error) => {
-                let failure = Failure::Input(fit_error(catalogue, &error, &name));
-                fits.failed.push(Failed { name, failure });
-            }
+            Err(failure) => fits.failed.push(Failed { name, failure }),
+        }
+    }
+}
+
+/// Refuses a standard deviation in another unit than the values.
+fn same_unit(
+    sigma: Option<&str>,
+    read: &Read,
+    name: &str,
+    catalogue: &Catalogue,
+) -> Result<(), Failure> {
+    let found = &read.recording.unit;
+    match sigma.filter(|unit| unit != found) {
+        None => Ok(()),
+        Some(unit) => {
+            let found = catalogue.quoted(found);
+            let variables = [("name", name.into()), ("unit", unit.into()), ("found", found.into())];
+            Err(Failure::Input(catalogue.format("fit-sigma-unit", &variables)))
         }
     }
 }
@@ -80,18 +106,11 @@ fn add(path: &Path, fits: &mut Fits, arguments: &Fit, options: &Options, catalog
 fn read(
     path: &Path,
     file: &str,
-    arguments: &Fit,
+    choice: &Choice,
     catalogue: &Catalogue,
 ) -> Result<Vec<Read>, Failure> {
     let bytes = load::read(path, LARGEST_RECORDING, catalogue)?;
-    let choice = Choice {
-        time: arguments.time.clone(),
-        value: arguments.value.clone(),
-        quantity: arguments.quantity,
-        run: arguments.run.clone(),
-        ..Choice::default()
-    };
-    recordings(&bytes, &choice).map_err(|error| Failure::Input(read_error(catalogue, &error, file)))
+    recordings(&bytes, choice).map_err(|error| Failure::Input(read_error(catalogue, &error, file)))
 }
 
 /// What a recording is called: its file, and its run if there are several.

@@ -222,3 +222,48 @@ fn still() -> Vec<u8> {
     let rows = (0..200).map(|i| format!("{},0.5\n", 0.01 * f64::from(i)));
     format!("Time (s),Position (m)\n{}", rows.collect::<String>()).into_bytes()
 }
+
+#[test]
+fn what_a_file_does_not_say_can_be_said() {
+    let workplace = Workplace::new();
+    workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);
+    let text = String::from_utf8(workplace.read("r.csv")).expect("text");
+    // Values in centimetres, without a word of it.
+    let centimetres = |line: &str| {
+        let (_, value) = line.split_once(',')?;
+        Some(format!("{}\n", 100.0 * value.parse::<f64>().ok()?))
+    };
+    let values: String = text.lines().filter_map(centimetres).collect();
+    workplace.write("values.txt", values.as_bytes());
+    let step =
+        |line: Option<&str>| line.and_then(|line| line.split(',').next()?.parse::<f64>().ok());
+    let rate = 1.0 / step(text.lines().nth(2)).expect("a time");
+    let rate = format!("{rate} Hz");
+    let said = [
+        "fit",
+        "values.txt",
+        "--rate",
+        &rate,
+        "--unit",
+        "cm",
+        "--sigma",
+        "1 mm",
+        "--format",
+        "json",
+    ];
+    let finished = workplace.run(&said);
+    assert_eq!(finished.status, Some(0), "{}", finished.err);
+    let fit = document(&finished.out);
+    assert_eq!(fit["unit"], "m");
+    assert!(distance(&fit, "coulomb_acceleration", 0.1962) < 4.0, "{fit}");
+    let reduced = fit["statistics"]["reduced_chi_square"].as_f64().expect("a number");
+    assert!((reduced - 1.0).abs() < 0.2, "{reduced}");
+    for (option, value) in
+        [("--unit", "kg"), ("--rate", "0 Hz"), ("--sigma", "1 kg"), ("--sigma", "1 m/s")]
+    {
+        let rate = if option == "--rate" { &[][..] } else { &["--rate", "50 Hz", "--value", "1"] };
+        let finished = workplace.run(&[&["fit", "values.txt", option, value][..], rate].concat());
+        assert_eq!(finished.status, Some(2), "{}", finished.err);
+        assert!(finished.err.contains(&option[2..]), "{}", finished.err);
+    }
+}

@@ -1,6 +1,7 @@
 //! What the arguments of `fit` choose.
 
 use federpendel::Mix;
+use federpendel_fit::read::Choice;
 use federpendel_fit::{Bootstrap, Intervals, Laws, Loss, Options};
 use federpendel_text::Catalogue;
 
@@ -23,23 +24,63 @@ pub const INTERVALS: [(&str, Intervals); 3] = [
 pub const LOSSES: [(&str, Loss); 3] =
     [("squares", Loss::Squares), ("huber", Loss::Huber), ("tukey", Loss::Tukey)];
 
+/// What is read of each file.
+pub fn choice(arguments: &Fit, catalogue: &Catalogue) -> Result<Choice, Failure> {
+    Ok(Choice {
+        time: arguments.time.clone(),
+        value: arguments.value.clone(),
+        quantity: arguments.quantity,
+        unit: arguments.unit.clone(),
+        run: arguments.run.clone(),
+        table: arguments.table.clone(),
+        rate: value("rate", &arguments.rate, Dimension::Frequency, catalogue)?,
+    })
+}
+
 /// The choices for the fit.
 pub fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failure> {
-    let value = |name: &str, written: &Option<String>, dimension| {
-        let read = |written: &String| {
-            parse(written, dimension).map_err(|error| refused(name, written, &error, catalogue))
-        };
-        written.as_ref().map(read).transpose()
-    };
+    let value = |name, written, dimension| value(name, written, dimension, catalogue);
     Ok(Options {
         laws: laws(arguments.laws.as_deref(), catalogue)?,
         from: value("from", &arguments.from, Dimension::Time)?,
         to: value("to", &arguments.to, Dimension::Time)?,
-        sigma: value("sigma", &arguments.sigma, Dimension::Number)?,
+        sigma: value(
+            "sigma",
+            &arguments.sigma,
+            sigma_dimension(arguments.sigma.as_deref().unwrap_or_default()),
+        )?,
         loss: arguments.loss,
         intervals: arguments.intervals,
         ..Options::default()
     })
+}
+
+/// The unit that a standard deviation is in: an SI unit, or none for a number in the unit of the values.
+pub fn sigma_unit(arguments: &Fit) -> Option<&'static str> {
+    let written = arguments.sigma.as_deref()?;
+    let dimension = sigma_dimension(written);
+    (dimension != Dimension::Number).then(|| dimension.units()[0])
+}
+
+/// What a standard deviation measures.
+fn sigma_dimension(written: &str) -> Dimension {
+    let all = [Dimension::Number, Dimension::Length, Dimension::Velocity, Dimension::Acceleration];
+    let fits = |dimension: &Dimension| parse(written, *dimension).is_ok();
+    all.into_iter().find(fits).unwrap_or(Dimension::Number)
+}
+
+/// A quantity, if it is written.
+fn value(
+    name: &str,
+    written: &Option<String>,
+    dimension: Dimension,
+    catalogue: &Catalogue,
+) -> Result<Option<f64>, Failure> {
+    let Some(written) = written else { return Ok(None) };
+    match parse(written, dimension) {
+        Ok(value) => Ok(Some(value)),
+        Err(error) => Err(refused(name, written, &error, catalogue)),
+    }
 }
 
 fn refused(name: &str, written: &str, error: &quantity::Error, catalogue: &Catalogue) -> Failure {

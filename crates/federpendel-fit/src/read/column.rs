@@ -221,12 +221,13 @@ impl Table<'_> {
     fn run(&self, group: Group, times: &TimeColumns) -> Result<Run, ReadError> {
         let (value, others) = self.value(&group)?;
         let heading = &self.headings[value];
-        let unit = heading.known_unit().filter(|unit| unit.quantity.is_some());
-        let known = heading.quantity();
+        let unit = self.unit(heading)?;
+        let known = unit.and_then(|unit| unit.quantity).or_else(|| heading.quantity());
         if let (Some(asked), Some(unit)) = (self.choice.quantity, unit)
             && unit.quantity != Some(asked)
         {
-            let (column, unit) = (heading.label.clone(), heading.unit.clone());
+            let column = heading.label.clone();
+            let unit = self.choice.unit.clone().unwrap_or_else(|| heading.unit.clone());
             return Err(ReadError::QuantityUnit { column, unit, asked });
         }
         let (times_from, time_unit_assumed) = match (times.rate, group.time) {
@@ -244,6 +245,18 @@ impl Table<'_> {
             quantity_assumed: self.choice.quantity.or(known).is_none(),
             others,
         })
+    }
+
+    /// The unit of the values: what was chosen, else what the heading says.
+    fn unit(&self, heading: &Heading) -> Result<Option<Unit>, ReadError> {
+        let of_values = |unit: &Unit| unit.quantity.is_some();
+        let Some(asked) = &self.choice.unit else {
+            return Ok(heading.known_unit().filter(of_values));
+        };
+        match unit::parse(asked).filter(of_values) {
+            Some(unit) => Ok(Some(unit)),
+            None => Err(ReadError::ValueUnit { asked: asked.clone() }),
+        }
     }
 
     fn time_unit(&self, at: usize) -> Result<(Times, bool), ReadError> {

@@ -213,6 +213,12 @@ pub enum ReadError {
         /// The quantity asked for.
         asked: crate::Quantity,
     },
+    /// The unit asked for is none of a position, velocity or acceleration.
+    #[error("unit {asked:?} is none of a position, velocity or acceleration")]
+    ValueUnit {
+        /// What was asked for.
+        asked: String,
+    },
     /// A rate that is not positive and finite.
     #[error("rate {value}; allowed: positive")]
     Rate {

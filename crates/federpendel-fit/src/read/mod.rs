@@ -54,6 +54,8 @@ pub struct Choice {
     pub value: Option<String>,
     /// What the values are; without it, what unit or name say.
     pub quantity: Option<Quantity>,
+    /// The unit of the values, whatever the file says.
+    pub unit: Option<String>,
     /// The run, by its name or number; without it, all of them.
     pub run: Option<String>,
     /// The sheet of a workbook or the file of an archive.

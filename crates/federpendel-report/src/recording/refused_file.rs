@@ -13,7 +13,7 @@ pub fn read_error(catalogue: &Catalogue, error: &ReadError, file: &str) -> Strin
     let sentence = of_file(catalogue, error);
     match (error, line(error)) {
         // What was asked for does not stand in the file.
-        (ReadError::Rate { .. }, _) => sentence,
+        (ReadError::Rate { .. } | ReadError::ValueUnit { .. }, _) => sentence,
         (_, Some(line)) => format!("{file}:{line}: {sentence}"),
         (_, None) => format!("{file}: {sentence}"),
     }
@@ -111,6 +111,9 @@ fn of_columns(catalogue: &Catalogue, error: &ReadError) -> String {
                     ("allowed", units.into()),
                 ],
             )
+        }
+        ReadError::ValueUnit { asked } => {
+            catalogue.format("recording-value-unit", &[("asked", excerpt(asked).into())])
         }
         ReadError::Rate { value } => catalogue.format(
             "recording-rate",

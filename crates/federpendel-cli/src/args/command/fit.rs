@@ -42,7 +42,10 @@ fn options(catalogue: &Catalogue) -> Vec<Arg> {
         named("value", "cli-value-column", "cli-fit-value"),
         choice("quantity", QUANTITIES.map(|(name, _)| name), catalogue)
             .help(catalogue.text("cli-fit-quantity")),
+        named("unit", "cli-value-unit", "cli-fit-unit"),
+        named("rate", "cli-value-quantity", "cli-fit-rate"),
         named("run", "cli-value-name", "cli-fit-run"),
+        named("table", "cli-value-name", "cli-fit-table"),
         named("laws", "cli-value-names", "cli-fit-laws"),
         named("from", "cli-value-quantity", "cli-fit-from"),
         named("to", "cli-value-quantity", "cli-fit-to"),
