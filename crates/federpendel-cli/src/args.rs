@@ -1,11 +1,13 @@
 //! The command line: what can be asked, and how it is said.
 
+mod beside;
 mod command;
 mod generate;
 mod missing;
 mod refuse;
 mod score;
 
+pub use beside::Beside;
 pub(crate) use generate::{completions, man};
 pub use score::Score;
 
@@ -154,6 +156,8 @@ pub struct Fit {
     pub sigma: Option<String>,
     /// Whether intervals come from profiles.
     pub profile: bool,
+    /// What was measured beside the recordings.
+    pub beside: Beside,
     /// Where results go.
     pub results: Results,
 }
@@ -322,6 +326,7 @@ fn fit(matches: &ArgMatches) -> Fit {
         to: text(matches, "to"),
         sigma: text(matches, "sigma"),
         profile: matches.get_flag("profile"),
+        beside: Beside::new(matches),
         results: results(matches),
     }
 }

@@ -4,11 +4,12 @@ use std::path::Path;
 
 use federpendel::Mix;
 use federpendel_fit::read::{Choice, Read, recordings};
-use federpendel_fit::{FitReport, Intervals, Options, fit};
+use federpendel_fit::{FitReport, Given, Intervals, Options, fit};
 use federpendel_report::recording::{Fitted, fit_error, read_error, read_note};
 use federpendel_text::Catalogue;
 
 use crate::args::Fit;
+use crate::beside::given;
 use crate::failure::{Failure, note};
 use crate::load;
 use crate::output::{self, Format, Targets};
@@ -22,10 +23,11 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
     let targets =
         Targets::check(&arguments.recordings, &arguments.results, &Format::OF_FITS, catalogue)?;
     let options = options(arguments, catalogue)?;
+    let given = given(&arguments.beside, catalogue)?;
     let mut fitted = Vec::new();
     let mut failed: Option<Failure> = None;
     for path in &arguments.recordings {
-        match one(path, arguments, &options, catalogue) {
+        match one(path, arguments, (&options, &given), catalogue) {
             Ok(found) => fitted.extend(found),
             // A bad file does not stop those behind it; the last one may still be all there is to say.
             Err(failure) => {
@@ -49,7 +51,7 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
 fn one(
     path: &Path,
     arguments: &Fit,
-    options: &Options,
+    (options, given): (&Options, &Given),
     catalogue: &Catalogue,
 ) -> Result<Vec<Fitted>, Failure> {
     let file = path.display().to_string();
@@ -70,7 +72,7 @@ fn one(
         let report = fit(&read.recording, options);
         let report: FitReport =
             report.map_err(|error| Failure::Input(fit_error(catalogue, &error, &file)))?;
-        Ok(Fitted::new(name(&file, &read), read, report))
+        Ok(Fitted::new(name(&file, &read), read, report).beside(given))
     });
     fitted.collect()
 }

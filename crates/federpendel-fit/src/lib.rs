@@ -66,7 +66,7 @@ pub use fit::fit;
 pub use least_squares::StopReason;
 pub use model::{Course, Jacobian, ModelError, Parameters, Stop};
 pub use options::{Bootstrap, Intervals, Loss, Options};
-pub use physical::{Given, Normal, Physical, physical};
+pub use physical::{Agreement, Given, Normal, Physical, physical};
 pub use propagation::{Estimate, Measured};
 pub use ranking::{Criteria, Standing, Verdict};
 pub use reach::Reach;

@@ -45,6 +45,21 @@ pub enum Absent {
     NoRest,
 }
 
+impl Absent {
+    /// The reason in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Absent::Angle => "angle",
+            Absent::Length => "length",
+            Absent::Mass => "mass",
+            Absent::NormalForce => "normal-force",
+            Absent::SpringMass => "spring-mass",
+            Absent::Law => "law",
+            Absent::NoRest => "no-rest",
+        }
+    }
+}
+
 /// A number, or why it is not given.
 pub type Answer = Result<Estimate, Absent>;
 
@@ -85,6 +100,27 @@ pub struct Physical {
     pub static_: Answer,
     /// Whether mass and stiffness agree with the recording, if both are given.
     pub agreement: Option<Agreement>,
+}
+
+impl Physical {
+    /// All numbers with their names.
+    pub fn numbers(&self) -> [(&'static str, Answer); 8] {
+        [
+            ("mass", self.mass),
+            ("moving_mass", self.moving_mass),
+            ("stiffness", self.stiffness),
+            ("damping", self.damping),
+            ("coulomb_force", self.coulomb_force),
+            ("newton_coefficient", self.newton_coefficient),
+            ("kinetic", self.kinetic),
+            ("static", self.static_),
+        ]
+    }
+
+    /// Whether the reason stands for any of the numbers.
+    pub fn lacks(&self, reason: Absent) -> bool {
+        self.numbers().iter().any(|(_, answer)| *answer == Err(reason))
+    }
 }
 
 /// The physical numbers of the verdict's mix; none where nothing is given.

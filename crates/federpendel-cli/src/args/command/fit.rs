@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Arg, ArgAction, Command, value_parser};
 use federpendel_text::Catalogue;
 
-use super::{choice, common, details, file, usage};
+use super::{beside, choice, common, details, file, usage};
 use crate::args::QUANTITIES;
 use crate::output::Format;
 
@@ -23,7 +23,8 @@ pub(super) fn fit(catalogue: &Catalogue) -> Command {
                 .help_heading(catalogue.text("cli-heading-arguments"))
                 .help(catalogue.text("cli-fit-recordings")),
         )
-        .args(options(catalogue));
+        .args(options(catalogue))
+        .args(beside::arguments(catalogue));
     common(command, catalogue)
 }
 

@@ -1,10 +1,11 @@
 //! A first screen of a fit: one picture, one verdict, the values rounded to their uncertainty.
 
-use std::f64::consts::PI;
 use std::io::{self, Write};
 
-use federpendel_fit::Parameter;
-use federpendel_report::recording::{Fitted, edge, sentences};
+use federpendel_fit::{Parameter, damping};
+use federpendel_report::recording::{
+    Fitted, damping_rows, edge, physical_rows, physical_sentences, sentences,
+};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
@@ -23,14 +24,18 @@ pub(super) fn write(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let (columns, rows) = room(ROWS_BESIDES);
+    let physical = physical_rows(fit, catalogue);
+    let (columns, rows) = room(ROWS_BESIDES + physical.len());
     let [plot, _] = fit.plots(catalogue);
     write_terminal(&plot, (columns, rows.max(FEWEST_ROWS)), out)?;
-    for line in sentences(fit, catalogue).iter().flat_map(|sentence| wrap(sentence, columns)) {
+    let said = [sentences(fit, catalogue), physical_sentences(fit, catalogue)].concat();
+    for line in said.iter().flat_map(|sentence| wrap(sentence, columns)) {
         writeln!(out, "{line}")?;
     }
     writeln!(out)?;
-    table(fit, catalogue).write(columns, out)?;
+    let mut table = table(fit, catalogue);
+    physical.into_iter().for_each(|(name, value)| table.named(name, value));
+    table.write(columns, out)?;
     writeln!(out)?;
     if targets.details {
         details(fit, columns, catalogue, out)?;
@@ -49,14 +54,13 @@ fn table<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
     ];
     table.row("fit-row-window", catalogue.format("fit-window-value", &window));
     let Some(model) = report.best() else { return table };
-    if let Some((value, error)) = known(model.parameter("angular_frequency")) {
-        let frequency = catalogue.measured(value / (2.0 * PI), error / (2.0 * PI), "Hz");
-        table.row("fit-row-frequency", frequency);
-    }
-    if let (Some((omega, _)), Some((gamma, error))) =
-        (known(model.parameter("angular_frequency")), known(model.parameter("damping_rate")))
-    {
-        table.row("fit-row-damping-ratio", catalogue.measured(gamma / omega, error / omega, "1"));
+    let figures = damping(report);
+    let frequency = figures.as_ref().map(|figures| figures.natural_frequency);
+    let ratio = figures.and_then(|figures| figures.damping_ratio);
+    for (id, figure) in [("fit-row-frequency", frequency), ("fit-row-damping-ratio", ratio)] {
+        if let Some((value, error)) = figure.and_then(|one| one.value.zip(one.stderr)) {
+            table.row(id, catalogue.measured(value, error, figure.map_or("1", |one| one.unit)));
+        }
     }
     for parameter in &model.parameters {
         table.row(parameter_name(parameter), value(fit, parameter, catalogue));
@@ -77,12 +81,6 @@ fn parameter_name(parameter: &Parameter) -> &'static str {
         "static_acceleration" => "fit-parameter-static-acceleration",
         _ => "fit-parameter-equilibrium",
     }
-}
-
-/// A value and its standard error, where both are known.
-fn known(parameter: Option<&Parameter>) -> Option<(f64, f64)> {
-    let parameter = parameter?;
-    Some((parameter.value?, parameter.stderr?))
 }
 
 /// A value with its error, or the interval that is all that is known.
@@ -123,6 +121,7 @@ fn details(
             ];
             table.row(parameter_name(parameter), catalogue.format("fit-interval", &variables));
         }
+        damping_rows(fit, catalogue).into_iter().for_each(|(name, value)| table.named(name, value));
         table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
         table.row("fit-row-reduced", catalogue.number(model.reduced, 5));
     }

@@ -9,6 +9,8 @@ use federpendel_text::Catalogue;
 use serde::Serialize;
 
 use super::document::Schema;
+use super::physical::{DampingFields, PhysicalFields};
+
 #[derive(Serialize)]
 pub(super) struct FitsDocument {
     schema: Schema,
@@ -23,6 +25,8 @@ struct FitFields {
     unit: String,
     verdict: VerdictFields,
     parameters: BTreeMap<&'static str, ParameterFields>,
+    physical: Option<PhysicalFields>,
+    damping: Option<DampingFields>,
     statistics: Statistics,
     models: Vec<ModelFields>,
     rest: Option<RestFields>,
@@ -103,6 +107,8 @@ fn fields(fit: &Fitted, catalogue: &Catalogue) -> Option<FitFields> {
             sentences: sentences(fit, catalogue),
         },
         parameters: best.parameters.iter().map(|one| (one.name, parameter(fit, one))).collect(),
+        physical: PhysicalFields::new(fit, catalogue),
+        damping: DampingFields::new(fit),
         statistics: Statistics {
             n: report.samples,
             effective_n: report.effective_samples,
