@@ -123,14 +123,15 @@ impl Physical {
     }
 }
 
-/// The physical numbers of the verdict's mix; none where nothing is given.
-pub fn physical(report: &FitReport, given: &Given) -> Option<Physical> {
+/// The physical numbers of the verdict's mix; none where nothing is given. `angles` says that the recording holds
+/// angles, where its unit does not.
+pub fn physical(report: &FitReport, given: &Given, angles: bool) -> Option<Physical> {
     let model = report.best().filter(|_| *given != Given::default())?;
     let body = Body::new(model, given);
     let unit = report.length_unit();
-    let swings = if unit == "rad" { Err(Absent::Angle) } else { Ok(()) };
-    let metres = swings.and(if unit == "m" { Ok(()) } else { Err(Absent::Length) });
-    let law = |acts: bool| if acts { Ok(()) } else { Err(Absent::Law) };
+    let swings = if angles || unit == "rad" { Err(Absent::Angle) } else { Ok(()) };
+    let metres = if unit == "m" { Ok(()) } else { Err(Absent::Length) };
+    let law = |acts: bool| swings.and(if acts { Ok(()) } else { Err(Absent::Law) });
     let [stokes, coulomb, newton] =
         [model.mix.stokes, model.mix.coulomb, model.mix.newton].map(law);
     let rate = |source: Source| Ok(body.moving? * body.sources.number(source));
@@ -140,16 +141,16 @@ pub fn physical(report: &FitReport, given: &Given) -> Option<Physical> {
     use Source::{AngularFrequency, CoulombAcceleration, DampingRate, NewtonRate};
     let force = rate(CoulombAcceleration);
     let kinetic = body.over_normal.map(|ratio| ratio * body.sources.number(CoulombAcceleration));
-    let dry = metres.and(coulomb);
+    let dry = coulomb.and(metres);
     let damping = rate(DampingRate).map(|half| half * 2.0);
     Some(Physical {
         given: *given,
         mass: estimate(swings, body.mass, AngularFrequency, "kg"),
         moving_mass: estimate(swings, body.moving, AngularFrequency, "kg"),
         stiffness: estimate(swings, body.stiffness, AngularFrequency, "N/m"),
-        damping: estimate(swings.and(stokes), damping, DampingRate, "kg/s"),
+        damping: estimate(stokes, damping, DampingRate, "kg/s"),
         coulomb_force: estimate(dry, force, CoulombAcceleration, "N"),
-        newton_coefficient: estimate(metres.and(newton), rate(NewtonRate), NewtonRate, "kg/m"),
+        newton_coefficient: estimate(newton.and(metres), rate(NewtonRate), NewtonRate, "kg/m"),
         kinetic: estimate(dry, kinetic, CoulombAcceleration, "1"),
         static_: dry.and_then(|()| body.static_coefficient(model)),
         agreement: swings.ok().and_then(|()| body.agreement()),

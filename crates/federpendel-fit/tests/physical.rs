@@ -50,7 +50,7 @@ fn recorded(motion: &Motion, unit: &str, seed: u64) -> FitReport {
 }
 
 fn of(report: &FitReport, given: Given) -> Physical {
-    physical(report, &given).expect("something is given")
+    physical(report, &given, false).expect("something is given")
 }
 
 /// Whether an estimate lies within three of its standard errors of the truth.
@@ -125,7 +125,7 @@ fn without_a_spring_mass_the_weight_needs_no_mass() {
 #[test]
 fn each_number_that_is_not_given_has_its_reason() {
     let metres = report("m", 5);
-    assert!(physical(&metres, &Given::default()).is_none());
+    assert!(physical(&metres, &Given::default(), false).is_none());
     let mass = exact(MASS);
     let found = of(&metres, Given { mass, ..Given::default() });
     assert!(found.coulomb_force.is_ok() && found.newton_coefficient.is_ok());
@@ -149,6 +149,9 @@ fn each_number_that_is_not_given_has_its_reason() {
     let all = [found.mass, found.moving_mass, found.stiffness, found.damping, found.coulomb_force];
     assert_eq!(all, [Err(Absent::Angle); 5]);
     assert_eq!((found.kinetic, found.newton_coefficient), (Err(Absent::Angle), Err(Absent::Angle)));
+
+    let named = physical(&report("", 5), &given, true).expect("something is given");
+    assert_eq!((named.stiffness, named.agreement), (Err(Absent::Angle), None));
 
     // More than all that moves.
     let (stiffness, spring_mass) = (exact(STIFFNESS), exact(0.9));

@@ -33,7 +33,7 @@ impl Fitted {
 
     /// With the physical numbers that follow from what was measured beside it.
     pub fn beside(mut self, given: &Given) -> Self {
-        self.physical = physical(&self.report, given);
+        self.physical = physical(&self.report, given, self.read.value.is_angle());
         self
     }
 

@@ -50,12 +50,11 @@ pub fn physical_sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
             sentences.push(catalogue.text(id));
         }
     }
-    if physical.lacks(Absent::Length) {
-        let unit = fit.report.length_unit();
-        sentences.push(match unit.as_str() {
-            "1" => catalogue.text("physical-absent-unit"),
-            _ => catalogue.format("physical-absent-length", &[("unit", unit.into())]),
-        });
+    let unit = fit.report.length_unit();
+    if unit == "1" && !physical.lacks(Absent::Angle) {
+        sentences.push(catalogue.text("physical-absent-unit"));
+    } else if physical.lacks(Absent::Length) {
+        sentences.push(catalogue.format("physical-absent-length", &[("unit", unit.into())]));
     }
     sentences
 }

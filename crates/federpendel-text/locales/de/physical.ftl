@@ -4,19 +4,19 @@
 
 physical-row-moving-mass = bewegte Masse M = m + m_s/3
 physical-row-coulomb-force = Kraft der trockenen Reibung F_c
-physical-row-agreement = C/M neben ω₀²
+physical-row-agreement = C/M nach den Angaben
 physical-row-equivalent = gleichwertiger Dämpfungsgrad bei { $amplitude }
-physical-more = { $percent } % mehr ({ $deviation } Standardabweichungen)
-physical-less = { $percent } % weniger ({ $deviation } Standardabweichungen)
-physical-contradicts = Masse und Federkonstante passen nicht zur Aufzeichnung: C/M ist neben ω₀² { $difference }. Die Größen unten sind aus der Masse berechnet.
-physical-contradicts-spring = Masse und Federkonstante passen nicht zur Aufzeichnung: C/M ist neben ω₀² { $difference }. Fehlt die Masse der Feder? Die Größen unten sind aus der Masse berechnet.
+physical-more = um { $percent } % größer als ω₀² ({ $deviation } Standardabweichungen)
+physical-less = um { $percent } % kleiner als ω₀² ({ $deviation } Standardabweichungen)
+physical-contradicts = Masse und Federkonstante passen nicht zur Aufzeichnung: C/M ist { $difference }. Alles Weitere ist aus der Masse berechnet.
+physical-contradicts-spring = Masse und Federkonstante passen nicht zur Aufzeichnung: C/M ist { $difference }. Fehlt die Masse der Feder? Alles Weitere ist aus der Masse berechnet.
 physical-weight = Als Normalkraft der Reibungszahlen gilt das Gewicht des Körpers allein, auf einer waagrechten Führung, die die Feder nicht trägt.
 physical-absent-angle = Die Aufzeichnung enthält Winkel; Masse und Feder einer geradlinigen Bewegung haben dafür keine Bedeutung, daher fehlen Kräfte und Massen.
 physical-absent-mass = Für Kräfte und Massen muss die Masse des Körpers oder die Federkonstante angegeben sein.
 physical-absent-normal-force = Reibungszahlen fehlen, weil nicht angegeben ist, was den Körper auf eine Führung drückt; bei einem hängenden Körper gibt es keine solche Kraft.
 physical-absent-spring-mass = Ein Drittel der Federmasse ist mehr, als sich nach Federkonstante und Frequenz insgesamt bewegt; daher fehlt die Masse des Körpers.
 physical-absent-length = Die Aufzeichnung misst Längen in { $unit }; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig.
-physical-absent-unit = Die Aufzeichnung nennt keine Längeneinheit; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig.
+physical-absent-unit = Die Aufzeichnung nennt keine Einheit: Massen, Federkonstante und Dämpfung gelten nur, wenn sie Längen und keine Winkel misst, und für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig.
 
 ### Die Befehlszeile
 

@@ -4,19 +4,19 @@
 
 physical-row-moving-mass = moving mass M = m + m_s/3
 physical-row-coulomb-force = force of dry friction F_c
-physical-row-agreement = C/M beside ω₀²
+physical-row-agreement = C/M as given
 physical-row-equivalent = equivalent damping ratio at { $amplitude }
-physical-more = { $percent } % more ({ $deviation } standard deviations)
-physical-less = { $percent } % less ({ $deviation } standard deviations)
-physical-contradicts = Mass and stiffness do not agree with the recording: C/M beside ω₀² is { $difference }. What follows is computed from the mass.
-physical-contradicts-spring = Mass and stiffness do not agree with the recording: C/M beside ω₀² is { $difference }. Was the mass of the spring left out? What follows is computed from the mass.
+physical-more = { $percent } % greater than ω₀² ({ $deviation } standard deviations)
+physical-less = { $percent } % less than ω₀² ({ $deviation } standard deviations)
+physical-contradicts = Mass and stiffness do not agree with the recording: C/M is { $difference }. All else is computed from the mass.
+physical-contradicts-spring = Mass and stiffness do not agree with the recording: C/M is { $difference }. Was the mass of the spring left out? All else is computed from the mass.
 physical-weight = For the coefficients of friction the normal force is the weight of the body alone, on a level guide that does not carry the spring.
 physical-absent-angle = The recording holds angles, to which the mass and the spring of a straight motion have no meaning: no forces and no masses are given.
 physical-absent-mass = Forces and masses need the mass of the body or the stiffness of the spring.
 physical-absent-normal-force = There is no coefficient of friction, since nothing is said of what presses the body on a guide; a hanging body has no such force.
 physical-absent-spring-mass = A third of the mass of the spring is more than all that moves by stiffness and frequency: no mass of the body is given.
 physical-absent-length = The recording measures lengths in { $unit }, but forces, coefficients of friction and drag need metres.
-physical-absent-unit = The recording says no unit of length, but forces, coefficients of friction and drag need metres.
+physical-absent-unit = The recording says no unit: masses, stiffness and damping hold only if it measures lengths and not angles, and forces, coefficients of friction and drag need metres.
 
 ### The command line
 
