@@ -6,6 +6,9 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {
     for dimension in Dimension::ALL {
+        if let Ok(measured) = quantity::parse_uncertain(text, *dimension) {
+            assert!(measured.value.is_finite() && measured.uncertainty >= 0.0, "{text:?}");
+        }
         let Ok(value) = quantity::parse(text, *dimension) else { continue };
         assert!(value.is_finite(), "{text:?} is read as {value}");
         let written = format!("{value:e}");

@@ -1,11 +1,16 @@
 //! The command line: what can be asked, and how it is said.
 
+mod beside;
 mod command;
+mod fit;
 mod generate;
 mod missing;
 mod refuse;
 mod score;
 
+pub use beside::Beside;
+pub use fit::Fit;
+pub(crate) use fit::QUANTITIES;
 pub(crate) use generate::{completions, man};
 pub use score::Score;
 
@@ -15,13 +20,11 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 use clap_complete::Shell;
-use federpendel_fit::{Intervals, Loss, Quantity};
 use federpendel_text::plot::draw::Background;
 use federpendel_text::{Catalogue, Language};
 
 use crate::experiment::Field;
 use crate::failure::Failure;
-use crate::fit::{INTERVALS, LOSSES};
 pub use crate::output::{ComparisonPicture, Dialect, Format, MotionPicture};
 pub use crate::record::Method;
 
@@ -39,7 +42,7 @@ pub enum Request {
     /// Check the article's claims.
     Article(Article),
     /// Fit recordings.
-    Fit(Fit),
+    Fit(Box<Fit>),
     /// Hold samples against a reference problem.
     Score(Score),
     /// Write the completions for a shell.
@@ -125,48 +128,6 @@ pub struct Article {
     pub results: Results,
 }
 
-/// What a recording can hold, by the names on the command line.
-pub(crate) const QUANTITIES: [(&str, Quantity); 3] = [
-    ("position", Quantity::Position),
-    ("velocity", Quantity::Velocity),
-    ("acceleration", Quantity::Acceleration),
-];
-
-/// The arguments of `fit`.
-#[derive(Debug)]
-pub struct Fit {
-    /// Files with recordings.
-    pub recordings: Vec<PathBuf>,
-    /// The column of times, as written.
-    pub time: Option<String>,
-    /// The column of values, as written.
-    pub value: Option<String>,
-    /// What the values are.
-    pub quantity: Option<Quantity>,
-    /// The unit of the values, as written.
-    pub unit: Option<String>,
-    /// The rate of even times, as written.
-    pub rate: Option<String>,
-    /// The run, as written.
-    pub run: Option<String>,
-    /// The sheet of a workbook or the file of an archive, as written.
-    pub table: Option<String>,
-    /// The laws that may act, as written.
-    pub laws: Option<String>,
-    /// When the fitted part begins, as written.
-    pub from: Option<String>,
-    /// When it ends, as written.
-    pub to: Option<String>,
-    /// Standard deviation of a value, as written.
-    pub sigma: Option<String>,
-    /// How intervals are found.
-    pub intervals: Intervals,
-    /// How residuals count.
-    pub loss: Loss,
-    /// Where results go.
-    pub results: Results,
-}
-
 /// The language that `--lang` asks for, or else the environment; found before anything else is
 /// parsed, since help and refusals already speak it.
 pub fn language(arguments: &[OsString], variable: impl Fn(&str) -> Option<String>) -> Language {
@@ -220,7 +181,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
         Some(("man", _)) => Request::Man,
         Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
-        Some(("fit", matches)) => Request::Fit(fit(matches)),
+        Some(("fit", matches)) => Request::Fit(Box::new(Fit::new(matches))),
         Some(("article", matches)) => Request::Article(article(matches)),
         Some((_, matches)) => Request::Simulate(simulate(matches)),
         None => Request::Print(command::command(catalogue).render_help().to_string()),
@@ -313,32 +274,6 @@ fn article(matches: &ArgMatches) -> Article {
         subject: subject(matches),
         worksheet: matches.get_flag("worksheet"),
         claims: text(matches, "claims"),
-        results: results(matches),
-    }
-}
-
-/// What the name given to `argument` stands for in `table`.
-fn named<T: Copy>(matches: &ArgMatches, argument: &str, table: &[(&str, T)]) -> Option<T> {
-    let written = text(matches, argument)?;
-    table.iter().find(|(name, _)| *name == written).map(|(_, value)| *value)
-}
-
-fn fit(matches: &ArgMatches) -> Fit {
-    Fit {
-        recordings: matches.get_many("recordings").into_iter().flatten().cloned().collect(),
-        time: text(matches, "time"),
-        value: text(matches, "value"),
-        quantity: named(matches, "quantity", &QUANTITIES),
-        unit: text(matches, "unit"),
-        rate: text(matches, "rate"),
-        run: text(matches, "run"),
-        table: text(matches, "table"),
-        laws: text(matches, "laws"),
-        from: text(matches, "from"),
-        to: text(matches, "to"),
-        sigma: text(matches, "sigma"),
-        intervals: named(matches, "intervals", &INTERVALS).unwrap_or_default(),
-        loss: named(matches, "loss", &LOSSES).unwrap_or_default(),
         results: results(matches),
     }
 }

@@ -7,11 +7,12 @@ pub(crate) use options::{INTERVALS, LOSSES};
 use std::path::Path;
 
 use federpendel_fit::read::{Choice, Read, recordings};
-use federpendel_fit::{Options, fit};
+use federpendel_fit::{Given, Options, fit};
 use federpendel_report::recording::{Fitted, fit_error, read_error, read_note};
 use federpendel_text::Catalogue;
 
 use crate::args::Fit;
+use crate::beside::given;
 use crate::failure::{Failure, note};
 use crate::load;
 use crate::output::{self, Format, Targets};
@@ -41,10 +42,11 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
         Targets::check(&arguments.recordings, &arguments.results, &Format::OF_FITS, catalogue)?;
     let choice = options::choice(arguments, catalogue)?;
     let options = options::options(arguments, catalogue)?;
+    let given = given(&arguments.beside, catalogue)?;
     let sigma = options::sigma_unit(arguments);
     let mut fits = Fits::default();
     for path in &arguments.recordings {
-        add(path, &mut fits, (&choice, &options, sigma), catalogue);
+        add(path, &mut fits, (&choice, &options, sigma, &given), catalogue);
     }
     // With a single recording there is nothing to write, and nothing to add to why.
     if fits.fitted.is_empty() && fits.failed.len() == 1 {
@@ -60,7 +62,7 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
 fn add(
     path: &Path,
     fits: &mut Fits,
-    (choice, options, sigma): (&Choice, &Options, Option<&str>),
+    (choice, options, sigma, given): (&Choice, &Options, Option<&str>, &Given),
     catalogue: &Catalogue,
 ) {
     let file = path.display().to_string();
@@ -78,7 +80,7 @@ fn add(
                 .map_err(|error| Failure::Input(fit_error(catalogue, &error, &name)))
         });
         match report {
-            Ok(report) => fits.fitted.push(Fitted::new(name, read, report)),
+            Ok(report) => fits.fitted.push(Fitted::new(name, read, report).beside(given)),
             Err(failure) => fits.failed.push(Failed { name, failure }),
         }
     }

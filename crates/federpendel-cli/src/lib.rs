@@ -2,6 +2,7 @@
 
 pub mod args;
 mod article;
+mod beside;
 mod compare;
 mod comparison;
 pub mod experiment;

@@ -5,9 +5,11 @@
 
 mod decimal;
 mod dimension;
+mod uncertain;
 mod unit;
 
 pub use dimension::Dimension;
+pub use uncertain::parse_uncertain;
 
 use decimal::Decimal;
 use unit::Unit;
@@ -74,6 +76,18 @@ pub enum Error {
         unit: String,
         /// What it measures, if that has a name here.
         found: Option<Dimension>,
+    },
+    /// "12.0 ± -0.3 N/m".
+    #[error("the uncertainty is negative")]
+    NegativeUncertainty,
+    /// "12.0 N/m ± 0.3": the uncertainty may be in any unit.
+    #[error("the uncertainty has no unit")]
+    UncertaintyWithoutUnit,
+    /// "12(a) N/m", "(12 ± 1 N/m", "1 ± 2 ± 3 N/m".
+    #[error("{text} is not a value and its uncertainty")]
+    UncertaintyGrammar {
+        /// The text that cannot be read.
+        text: String,
     },
 }
 

@@ -11,6 +11,8 @@
 //!    and intervals (`covariance`, `profile`, `bootstrap`), whether the oscillator fits at all
 //!    (`adequacy`), and from which amplitude a further recording would tell more (`reach`).
 //!
+//! What a mass or a stiffness makes of it says [`physical()`], and [`damping()`] says it as engineers do.
+//!
 //! ```
 //! use federpendel_fit::{Options, Quantity, Recording, fit};
 //!
@@ -32,6 +34,7 @@
 pub mod adequacy;
 mod bootstrap;
 mod covariance;
+pub mod damping;
 pub mod error;
 pub mod extremes;
 mod fit;
@@ -42,8 +45,10 @@ mod mixes;
 pub mod model;
 pub mod noise;
 pub mod options;
+pub mod physical;
 mod problem;
 mod profile;
+mod propagation;
 pub mod ranking;
 pub mod reach;
 pub mod read;
@@ -56,11 +61,14 @@ pub mod unit;
 pub mod window;
 
 pub use adequacy::{Adequacy, Fault, Finding};
+pub use damping::{Damping, damping};
 pub use error::FitError;
 pub use fit::fit;
 pub use least_squares::StopReason;
 pub use model::{Course, Jacobian, ModelError, Parameters, Stop};
 pub use options::{Bootstrap, Intervals, Laws, Loss, Options};
+pub use physical::{Agreement, Given, Normal, Physical, physical};
+pub use propagation::{Estimate, Measured};
 pub use ranking::{Criteria, Standing, Verdict};
 pub use reach::Reach;
 pub use recording::{Quantity, Recording};

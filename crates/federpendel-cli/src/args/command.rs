@@ -1,6 +1,7 @@
 //! The command line described to clap, in the user's language.
 
 mod article;
+mod beside;
 mod fit;
 mod score;
 

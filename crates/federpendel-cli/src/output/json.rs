@@ -4,6 +4,7 @@ mod article;
 mod comparison;
 mod document;
 mod fit;
+mod physical;
 mod score;
 mod tidy;
 

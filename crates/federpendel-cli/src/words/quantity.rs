@@ -38,6 +38,9 @@ pub fn quantity_problem(catalogue: &Catalogue, error: &Error) -> String {
         Error::WrongDimension { unit, found: None } => {
             catalogue.format("quantity-nameless-dimension", &[("unit", excerpt(unit).into())])
         }
+        Error::NegativeUncertainty => catalogue.text("quantity-uncertainty-negative"),
+        Error::UncertaintyWithoutUnit => catalogue.text("quantity-uncertainty-unit"),
+        Error::UncertaintyGrammar { .. } => catalogue.text("quantity-uncertainty-grammar"),
     }
 }
 
@@ -73,6 +76,17 @@ pub fn flag_value(
         Ok(_) => None,
         Err(error) => Some(quantity_problem(catalogue, error)),
     };
+    Err(flag_refusal(catalogue, info, dimension, written, problem))
+}
+
+/// The sentence that refuses the flag of a parameter as `written`; without a problem its value is out of range.
+pub fn flag_refusal(
+    catalogue: &Catalogue,
+    info: &ParameterInfo,
+    dimension: Dimension,
+    written: &str,
+    problem: Option<String>,
+) -> String {
     let allowed = allowed(catalogue, dimension, info.range);
     let name = format!("--{}", info.name.replace('_', "-"));
     let mut variables = vec![
@@ -80,13 +94,13 @@ pub fn flag_value(
         ("value", catalogue.quoted(&excerpt(written)).into()),
         ("allowed", allowed.into()),
     ];
-    Err(match problem {
+    match problem {
         None => catalogue.format("experiment-refusal", &variables),
         Some(problem) => {
             variables.push(("problem", problem.into()));
             catalogue.format("experiment-quantity", &variables)
         }
-    })
+    }
 }
 
 /// What is allowed for a quantity: “a mass (kg, g, mg, t, lb), a finite number greater than 0”.

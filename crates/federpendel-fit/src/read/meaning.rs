@@ -1,5 +1,6 @@
 //! What a heading means: a time, a position, velocity or acceleration, a magnitude, a count, the column a user names.
 
+use super::ColumnName;
 use super::heading::Heading;
 use super::unit::{self, Unit};
 use crate::Quantity;
@@ -120,6 +121,19 @@ impl Heading {
     }
 }
 
+impl ColumnName {
+    /// Whether it holds angles or their rates: the name says so where the unit does not.
+    pub fn is_angle(&self) -> bool {
+        const WORDS: &[&str] =
+            &["angul", "angle", "winkel", "gyro", "drehrate", "rotation", "theta", "omega"];
+        const SYMBOLS: &[&str] = &["phi", "φ", "ϕ", "θ", "ϑ", "ω", "deg", "rad"];
+        let name = self.name.to_lowercase();
+        let named =
+            WORDS.iter().any(|word| name.contains(word)) || SYMBOLS.contains(&name.as_str());
+        self.unit.is_empty() && named
+    }
+}
+
 /// How well a column fits a name; the best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Fit {
@@ -143,6 +157,23 @@ pub(super) fn squeezed(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn angles_without_a_unit_are_known_by_name() {
+        let column = |name: &str, unit: &str| ColumnName {
+            label: name.to_owned(),
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            number: 2,
+        };
+        for name in ["angular_velocity", "Winkel", "θ", "Gyroscope x", "phi"] {
+            assert!(column(name, "").is_angle(), "{name}");
+        }
+        for name in ["Position", "x", "Auslenkung", "v"] {
+            assert!(!column(name, "").is_angle(), "{name}");
+        }
+        assert!(!column("Winkel", "m").is_angle());
+    }
 
     #[test]
     fn times_and_quantities() {

@@ -11,8 +11,11 @@ use crate::synthetic::Random;
 
 type Rows = Vec<(f64, f64)>;
 
-/// Every file: its name and what stands in it. The same at every call.
-pub fn files() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn Error>> {
+/// A file: its name and what stands in it.
+type File = (&'static str, Vec<u8>);
+
+/// Every file. The same at every call.
+pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     let mut recorded: Vec<(&Experiment, Rows)> = Vec::new();
     for (seed, experiment) in (1..).zip(&EXPERIMENTS) {
         recorded.push((experiment, experiment.record(seed)?));

@@ -1,7 +1,7 @@
 //! A recording with its fit.
 
 use federpendel_fit::read::Read;
-use federpendel_fit::{FitReport, Quantity};
+use federpendel_fit::{FitReport, Given, Physical, Quantity, physical};
 use federpendel_text::Catalogue;
 use federpendel_text::plot::{Plot, RecordingData};
 
@@ -16,6 +16,8 @@ pub struct Fitted {
     pub report: FitReport,
     /// What the fit says at the values of the window.
     pub curve: Vec<f64>,
+    /// What it says in physical numbers, if anything was measured beside it.
+    pub physical: Option<Physical>,
 }
 
 impl Fitted {
@@ -26,7 +28,16 @@ impl Fitted {
         // The residuals are value minus model.
         let curve =
             values.iter().zip(&report.residuals).map(|(value, left)| value - left).collect();
-        Fitted { name, read, report, curve }
+        Fitted { name, read, report, curve, physical: None }
+    }
+
+    /// With the physical numbers that follow from what was measured beside it; none of a motion that no mix
+    /// describes.
+    pub fn beside(mut self, given: &Given) -> Self {
+        if self.report.adequacy.adequate {
+            self.physical = physical(&self.report, given, self.read.value.is_angle());
+        }
+        self
     }
 
     /// The recorded values with the fit over them, and what the fit leaves.

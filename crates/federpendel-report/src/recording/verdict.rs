@@ -1,6 +1,6 @@
 //! What a fit found, in sentences.
 
-use federpendel_fit::{Fault, Laws, Model, Parameter, Standing};
+use federpendel_fit::{Fault, Laws, Model, Standing, damping};
 use federpendel_text::Catalogue;
 
 use super::Fitted;
@@ -29,7 +29,7 @@ pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     if !asked {
         sentences.push(acting(fit, model, catalogue));
     }
-    sentences.extend(regime(fit, model, catalogue));
+    sentences.extend(regime(fit, catalogue));
     sentences.extend(not_needed(fit, catalogue));
     sentences.extend(not_separated(fit, catalogue));
     sentences.extend(model.rest.as_ref().map(|rest| {
@@ -93,9 +93,10 @@ const STRONG: f64 = 0.5;
 const NEAR: f64 = 1.25;
 
 /// Whether the motion is critical, or near it, where viscous friction is strong.
-fn regime(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Option<String> {
-    let (ratio, error) = damping_ratio(model)?;
-    if !fit.report.verdict.mix.stokes || ratio < STRONG {
+fn regime(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
+    let ratio = damping(&fit.report)?.damping_ratio?;
+    let (ratio, error) = (ratio.value?, ratio.stderr?);
+    if ratio < STRONG {
         return None;
     }
     let surely = |distance: f64| distance.abs() > 2.0 * error;
@@ -107,21 +108,6 @@ fn regime(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Option<String> 
         "fit-regime-strong"
     };
     Some(catalogue.format(id, &[("ratio", catalogue.measured(ratio, error, "1").into())]))
-}
-
-/// ζ = γ/ω₀ and its standard error, from those of both and their correlation.
-fn damping_ratio(model: &Model) -> Option<(f64, f64)> {
-    let place = |name| model.parameters.iter().position(|parameter| parameter.name == name);
-    let (i, j) = (place("damping_rate")?, place("angular_frequency")?);
-    let relative = |i: usize| {
-        let Parameter { value, stderr, .. } = model.parameters[i];
-        Some(stderr? / value?)
-    };
-    let (gamma, omega) = (relative(i)?, relative(j)?);
-    let r = model.correlations.get(i)?.get(j)?;
-    let ratio = model.value("damping_rate") / model.value("angular_frequency");
-    let variance = gamma * gamma + omega * omega - 2.0 * r * gamma * omega;
-    Some((ratio, ratio * variance.max(0.0).sqrt()))
 }
 
 /// The laws without which the recording is described as well, in one sentence.

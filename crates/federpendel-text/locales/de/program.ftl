@@ -640,6 +640,7 @@ fit-parameter-velocity0 = Geschwindigkeit am Anfang
 fit-parameter-equilibrium = Nullpunkt der Skala
 fit-parameter-static-acceleration = Haftreibung durch Masse
 fit-row-frequency = Eigenfrequenz
+fit-row-damping-ratio = Dämpfungsgrad
 fit-row-window = angepasster Teil
 fit-window-value = { $from } bis { $to }, { $samples } Werte
 fit-row-residual = Residuum (quadratisches Mittel)

@@ -640,6 +640,7 @@ fit-parameter-velocity0 = velocity at the beginning
 fit-parameter-equilibrium = zero of the scale
 fit-parameter-static-acceleration = static friction over mass
 fit-row-frequency = natural frequency
+fit-row-damping-ratio = damping ratio
 fit-row-window = fitted part
 fit-window-value = { $from } to { $to }, { $samples } values
 fit-row-residual = residual (rms)

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Arg, Command, value_parser};
 use federpendel_text::Catalogue;
 
-use super::{choice, common, details, file, usage};
+use super::{beside, choice, common, details, file, usage};
 use crate::args::{DARK, LIGHT, QUANTITIES};
 use crate::fit::{INTERVALS, LOSSES};
 use crate::output::{Dialect, Format};
@@ -24,7 +24,8 @@ pub(super) fn fit(catalogue: &Catalogue) -> Command {
                 .help_heading(catalogue.text("cli-heading-arguments"))
                 .help(catalogue.text("cli-fit-recordings")),
         )
-        .args(options(catalogue));
+        .args(options(catalogue))
+        .args(beside::arguments(catalogue));
     common(command, catalogue)
 }
 

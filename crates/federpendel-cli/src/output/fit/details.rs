@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use federpendel_fit::{Model, Parameter};
-use federpendel_report::recording::{Fitted, edge, stop_reason};
+use federpendel_report::recording::{Fitted, damping_rows, edge, stop_reason};
 use federpendel_text::Catalogue;
 
 use super::super::summary::Table;
@@ -71,6 +71,7 @@ fn statistics<'a>(fit: &Fitted, model: &Model, catalogue: &'a Catalogue) -> Tabl
         let law = [("law", catalogue.text(law).into())];
         table.named(catalogue.format("fit-row-p-value", &law), catalogue.number(p, 2));
     }
+    damping_rows(fit, catalogue).into_iter().for_each(|(name, value)| table.named(name, value));
     table.row("fit-row-effective", catalogue.number(report.effective_samples, 4));
     table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
     table.row("fit-row-reduced", catalogue.number(model.reduced, 5));

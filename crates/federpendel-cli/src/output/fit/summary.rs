@@ -1,11 +1,10 @@
 //! A first screen of a fit: one picture, one verdict, the values rounded to their uncertainty.
 
-use std::f64::consts::PI;
 use std::io::{self, Write};
 
 use console::style;
-use federpendel_fit::{Model, Parameter};
-use federpendel_report::recording::{Fitted, sentences};
+use federpendel_fit::{Parameter, damping};
+use federpendel_report::recording::{Fitted, physical_rows, physical_sentences, sentences};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
@@ -26,7 +25,8 @@ pub(super) fn write(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let (columns, rows) = room(ROWS_BESIDES);
+    let physical = physical_rows(fit, catalogue);
+    let (columns, rows) = room(ROWS_BESIDES + physical.len());
     let [plot, _] = fit.plots(catalogue);
     write_terminal(&plot, (columns, rows.max(FEWEST_ROWS)), out)?;
     verdict(fit, columns, catalogue, out)?;
@@ -49,6 +49,7 @@ pub(super) fn write(
         };
         table.row(parameter_name(parameter), value);
     }
+    physical.into_iter().for_each(|(name, value)| table.named(name, value));
     if let Some(model) = fit.report.best() {
         table.row("fit-row-residual", catalogue.quantity(model.rms, &fit.report.unit, 3));
     }
@@ -83,7 +84,7 @@ fn verdict(
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let sentences = sentences(fit, catalogue);
+    let sentences = [sentences(fit, catalogue), physical_sentences(fit, catalogue)].concat();
     let mut lines = sentences.iter().flat_map(|sentence| wrap(sentence, columns));
     lines.try_for_each(|line| writeln!(out, "{line}"))
 }
@@ -102,10 +103,13 @@ fn about<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
     if fit.read.recording.unit.is_empty() {
         table.row("fit-row-unit", catalogue.text("fit-unit-nameless"));
     }
-    let omega = report.best().and_then(|model| known(model, "angular_frequency"));
-    if let Some((value, error)) = omega {
-        let frequency = catalogue.measured(value / (2.0 * PI), error / (2.0 * PI), "Hz");
-        table.row("fit-row-frequency", frequency);
+    let figures = damping(report);
+    let frequency = figures.as_ref().map(|figures| figures.natural_frequency);
+    let ratio = figures.and_then(|figures| figures.damping_ratio);
+    for (id, figure) in [("fit-row-frequency", frequency), ("fit-row-damping-ratio", ratio)] {
+        if let Some((value, error)) = figure.and_then(|one| one.value.zip(one.stderr)) {
+            table.row(id, catalogue.measured(value, error, figure.map_or("1", |one| one.unit)));
+        }
     }
     table
 }
@@ -126,12 +130,6 @@ pub(super) fn parameter_name(parameter: &Parameter) -> &'static str {
         "static_acceleration" => "fit-parameter-static-acceleration",
         _ => "fit-parameter-equilibrium",
     }
-}
-
-/// A value and its standard error, where both are known.
-fn known(model: &Model, name: &str) -> Option<(f64, f64)> {
-    let parameter = model.parameter(name)?;
-    Some((parameter.value?, parameter.stderr?))
 }
 
 /// A value with its error, or the interval that is all that is known.

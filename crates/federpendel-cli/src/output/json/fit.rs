@@ -8,6 +8,7 @@ use federpendel_text::Catalogue;
 use serde::Serialize;
 
 use super::document::Schema;
+use super::physical::{DampingFields, PhysicalFields};
 use crate::fit::{Failed, Fits};
 use crate::output::fit::{law_names, quantity_name, stop_name};
 
@@ -42,6 +43,8 @@ struct FitFields {
     verdict: VerdictFields,
     parameters: BTreeMap<&'static str, ParameterFields>,
     correlations: BTreeMap<&'static str, BTreeMap<&'static str, f64>>,
+    physical: Option<PhysicalFields>,
+    damping: Option<DampingFields>,
     statistics: Statistics,
     models: Vec<ModelFields>,
     rest: Option<RestFields>,
@@ -149,6 +152,8 @@ fn fields(fit: &Fitted, catalogue: &Catalogue) -> Option<FitFields> {
         verdict: verdict(fit, catalogue),
         parameters: best.parameters.iter().map(|one| (one.name, parameter(fit, one))).collect(),
         correlations: correlations(best),
+        physical: PhysicalFields::new(fit, catalogue),
+        damping: DampingFields::new(fit),
         statistics: statistics(report, best),
         models: report.models.iter().map(model).collect(),
         rest: rest.map(|rest| RestFields { time: rest.time, position: rest.position }),
