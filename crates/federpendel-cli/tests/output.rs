@@ -22,6 +22,7 @@ fn experiments() -> Vec<(String, String)> {
     let folder = std::fs::read_dir(root().join("examples")).expect("examples");
     let files = folder.map(|entry| entry.expect("an entry").path());
     let mut experiments: Vec<_> = files
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .map(|path| {
             let name = path.file_name().expect("a name").to_string_lossy().into_owned();
             (name, std::fs::read_to_string(path).expect("an example"))
