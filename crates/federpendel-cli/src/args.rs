@@ -3,10 +3,12 @@
 mod command;
 mod generate;
 mod missing;
+mod plan;
 mod refuse;
 mod score;
 
 pub(crate) use generate::{completions, man};
+pub use plan::Plan;
 pub use score::Score;
 
 use std::ffi::OsString;
@@ -39,6 +41,8 @@ pub enum Request {
     Article(Article),
     /// Fit recordings.
     Fit(Fit),
+    /// Plan an experiment.
+    Plan(Plan),
     /// Hold samples against a reference problem.
     Score(Score),
     /// Write the completions for a shell.
@@ -209,6 +213,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
             None => Request::Man,
         },
         Some(("man", _)) => Request::Man,
+        Some(("plan", matches)) => Request::Plan(Plan::new(matches)),
         Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
         Some(("fit", matches)) => Request::Fit(fit(matches)),

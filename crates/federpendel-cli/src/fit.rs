@@ -120,7 +120,7 @@ fn refused(
 }
 
 /// The laws that may act: `auto`, `none`, or a list of them.
-fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Mix, Failure> {
+pub(crate) fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Mix, Failure> {
     let mut mix = Mix::default();
     match written {
         None | Some("auto") => return Ok(Mix { stokes: true, coulomb: true, newton: true }),

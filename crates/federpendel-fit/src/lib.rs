@@ -11,6 +11,8 @@
 //!    and intervals (`covariance`, `profile`, `bootstrap`), whether the oscillator fits at all
 //!    (`adequacy`), and from which amplitude a further recording would tell more (`reach`).
 //!
+//! [`plan()`](plan::plan) says before there is a recording what one could tell.
+//!
 //! ```
 //! use federpendel_fit::{Options, Quantity, Recording, fit};
 //!
@@ -36,12 +38,14 @@ pub mod error;
 pub mod extremes;
 mod fit;
 mod growing;
+pub mod information;
 mod jumps;
 mod least_squares;
 mod mixes;
 pub mod model;
 pub mod noise;
 pub mod options;
+pub mod plan;
 mod problem;
 mod profile;
 pub mod ranking;
@@ -57,6 +61,7 @@ pub mod window;
 pub use adequacy::{Adequacy, Fault, Finding};
 pub use error::FitError;
 pub use fit::fit;
+pub use information::Information;
 pub use least_squares::StopReason;
 pub use model::{Course, Jacobian, ModelError, Parameters, Stop};
 pub use options::{Bootstrap, Intervals, Loss, Options};

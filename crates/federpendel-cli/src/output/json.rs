@@ -4,11 +4,13 @@ mod article;
 mod comparison;
 mod document;
 mod fit;
+mod plan;
 mod score;
 mod tidy;
 
 use std::io::{self, Write};
 
+use federpendel_fit::plan::Plan;
 use federpendel_report::article::Checks;
 use federpendel_report::recording::Fitted;
 use federpendel_text::Catalogue;
@@ -22,6 +24,8 @@ use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;
 use fit::FitsDocument;
+pub(super) use fit::laws;
+use plan::PlanDocument;
 use score::ScoreDocument;
 use tidy::Tidy;
 
@@ -51,6 +55,14 @@ pub(super) fn write_fits(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     write_document(&FitsDocument::new(fits, catalogue), out)
+}
+
+pub(super) fn write_plan(
+    plan: &Plan,
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_document(&PlanDocument::new(plan, catalogue), out)
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use federpendel::Mix;
-use federpendel_fit::{Model, Parameter};
+use federpendel_fit::{Model, Parameter, Quantity};
 use federpendel_report::recording::{Fitted, sentences};
 use federpendel_text::Catalogue;
 use serde::Serialize;
@@ -91,10 +91,9 @@ impl FitsDocument {
 fn fields(fit: &Fitted, catalogue: &Catalogue) -> Option<FitFields> {
     let report = &fit.report;
     let best = report.best()?;
-    let named = crate::args::QUANTITIES.iter().find(|(_, quantity)| *quantity == report.quantity);
     Some(FitFields {
         name: fit.name.clone(),
-        quantity: named.map_or("position", |(name, _)| name),
+        quantity: quantity(report.quantity),
         column: fit.read.value.label.clone(),
         unit: report.unit.clone(),
         verdict: VerdictFields {
@@ -143,7 +142,14 @@ fn model(model: &Model) -> ModelFields {
     }
 }
 
-fn laws(mix: Mix) -> Vec<&'static str> {
+/// The name of what is recorded.
+pub(super) fn quantity(quantity: Quantity) -> &'static str {
+    let named = crate::args::QUANTITIES.iter().find(|(_, known)| *known == quantity);
+    named.map_or("position", |(name, _)| name)
+}
+
+/// The names of the laws of a mix.
+pub(in crate::output) fn laws(mix: Mix) -> Vec<&'static str> {
     let named = [(mix.stokes, "stokes"), (mix.coulomb, "coulomb"), (mix.newton, "newton")];
     named.into_iter().filter(|(acts, _)| *acts).map(|(_, name)| name).collect()
 }
