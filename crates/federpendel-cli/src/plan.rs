@@ -19,8 +19,8 @@ use crate::words::flag_value;
 /// Values per second.
 const RATE: ParameterInfo = positive("rate", "Hz", Some(50.0));
 /// The range of amplitudes.
-const FROM: ParameterInfo = positive("from_amplitude", "m", None);
-const TO: ParameterInfo = positive("to_amplitude", "m", None);
+const MIN: ParameterInfo = positive("min_amplitude", "m", None);
+const MAX: ParameterInfo = positive("max_amplitude", "m", None);
 
 const fn positive(name: &'static str, unit: &'static str, default: Option<f64>) -> ParameterInfo {
     ParameterInfo { name, symbol: "", unit, range: Range::Positive, default }
@@ -39,8 +39,8 @@ pub(crate) fn run(arguments: &Plan, catalogue: &Catalogue) -> Result<(), Failure
         written.as_ref().map(parse).transpose().map_err(Failure::Input)
     };
     let rate = value(&arguments.rate, &RATE, Dimension::Frequency)?.or(RATE.default);
-    let from = value(&arguments.from, &FROM, Dimension::Length)?;
-    let to = value(&arguments.to, &TO, Dimension::Length)?;
+    let min_amplitude = value(&arguments.min_amplitude, &MIN, Dimension::Length)?;
+    let max_amplitude = value(&arguments.max_amplitude, &MAX, Dimension::Length)?;
     let also = laws(Some(arguments.laws.as_deref().unwrap_or("none")), catalogue)?;
     if arguments.subject.overrides.iter().any(|(field, _)| *field == Field::Samples) {
         return Err(Failure::Input(catalogue.text("plan-no-samples")));
@@ -52,8 +52,8 @@ pub(crate) fn run(arguments: &Plan, catalogue: &Catalogue) -> Result<(), Failure
         quantity,
         noise,
         rate: rate.unwrap_or_default(),
-        from,
-        to: to.map_or_else(|| release(&experiment, catalogue), Ok)?,
+        min_amplitude,
+        max_amplitude: max_amplitude.map_or_else(|| release(&experiment, catalogue), Ok)?,
         longest: experiment.duration,
     };
     let plan = plan(&setup).map_err(|error| Failure::Input(plan_error(catalogue, &error)))?;

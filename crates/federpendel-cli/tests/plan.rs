@@ -71,7 +71,7 @@ fn plans_fit_their_schema_whatever_is_expected() {
     assert_eq!(dry["setup"]["fitted"].as_array().map(Vec::len), Some(3));
     assert_eq!(dry["setup"]["quantity"], "acceleration");
     // Static friction holds the mass at the smallest amplitudes: they tell nothing.
-    let held = planned(&["--noise", "1 mm", "--static", "0.05", "--from-amplitude", "1 cm"]);
+    let held = planned(&["--noise", "1 mm", "--static", "0.05", "--min-amplitude", "1 cm"]);
     assert_eq!(held["amplitudes"][0]["coulomb"], Value::Null);
 }
 
@@ -138,11 +138,11 @@ fn what_makes_no_plan_is_refused() {
         (&["--noise", "2 cm"], "2 cm"),
         (&["--noise", "1 mm", "--rate", "5 Hz"], "8.05 Hz"),
         (&["--noise", "1 mm", "--rate", "0"], "--rate"),
-        (&["--noise", "1 mm", "--from-amplitude", "20 cm"], "--from-amplitude"),
-        (&["--noise", "1 mm", "--to-amplitude", "-1 cm"], "--to-amplitude"),
-        (&["--noise", "1 mm", "--duration", "1 s"], "1.99 s"),
+        (&["--noise", "1 mm", "--min-amplitude", "20 cm"], "--min-amplitude"),
+        (&["--noise", "1 mm", "--max-amplitude", "-1 cm"], "--max-amplitude"),
+        (&["--noise", "1 mm", "--duration", "1 s"], "2.48 s"),
         (&["--noise", "1 mm", "--samples", "100"], "--samples"),
-        (&["--noise", "1 mm", "--position", "0"], "--to-amplitude"),
+        (&["--noise", "1 mm", "--position", "0"], "--max-amplitude"),
         (&["--noise", "1 mm", "--static", "0.5"], "12.3 cm"),
         (&["--noise", "1 mm", "--damping", "10"], "damping ratio"),
         (&["--noise", "1 mm", "--laws", "sliding"], "sliding"),

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let law = prospect.law;
             print!("| {} | {:?} | {law:?} | ", experiment.name, setup.quantity);
             let Some((amplitude, resolution)) = prospect.smallest else {
-                println!("not up to {:.3} m |", setup.to);
+                println!("not up to {:.3} m |", setup.max_amplitude);
                 continue;
             };
             let duration = resolution.duration;

@@ -84,7 +84,8 @@ fn stokes_friction_alone_is_as_sure_as_by_hand() {
     let plan = plan.expect("a plan");
     let (gamma, setup) = (plan.prospects[0].coefficient, plan.setup);
     let largest = plan.prospects[0].largest.expect("seen");
-    let variance = 16.0 * gamma.powi(3) * setup.noise.powi(2) / (setup.rate * setup.to.powi(2));
+    let variance =
+        16.0 * gamma.powi(3) * setup.noise.powi(2) / (setup.rate * setup.max_amplitude.powi(2));
     let share = largest.stderr / variance.sqrt();
     // Up to five per cent more, since the recording ends where the rest is not worth the time.
     assert!((0.99..1.06).contains(&share), "{share}");
@@ -113,7 +114,7 @@ fn what_nothing_can_be_planned_for_is_refused() {
     assert!(matches!(refused(|s| s.rate = f64::NAN), PlanError::NotPositive { name: "rate", .. }));
     assert!(matches!(refused(|s| s.rate = 5.0), PlanError::RateTooLow { .. }));
     assert!(matches!(refused(|s| s.longest = Some(1.0)), PlanError::TooShort { .. }));
-    assert!(matches!(refused(|s| s.from = Some(0.4)), PlanError::Reversed { .. }));
+    assert!(matches!(refused(|s| s.min_amplitude = Some(0.4)), PlanError::Reversed { .. }));
     assert!(matches!(refused(|s| s.noise = 0.1), PlanError::Drowned { .. }));
-    assert!(matches!(refused(|s| s.to = 1e-4), PlanError::Sticks { .. }));
+    assert!(matches!(refused(|s| s.max_amplitude = 1e-4), PlanError::Sticks { .. }));
 }

@@ -17,9 +17,9 @@ pub struct Plan {
     /// What is recorded.
     pub quantity: Option<Quantity>,
     /// The smallest amplitude, as written.
-    pub from: Option<String>,
+    pub min_amplitude: Option<String>,
     /// The largest, as written.
-    pub to: Option<String>,
+    pub max_amplitude: Option<String>,
     /// Laws that are fitted besides the expected ones, as written.
     pub laws: Option<String>,
     /// Where results go.
@@ -35,8 +35,8 @@ impl Plan {
             noise: text(matches, "noise"),
             rate: text(matches, "rate"),
             quantity: known.map(|(_, quantity)| *quantity),
-            from: text(matches, "from-amplitude"),
-            to: text(matches, "to-amplitude"),
+            min_amplitude: text(matches, "min-amplitude"),
+            max_amplitude: text(matches, "max-amplitude"),
             laws: text(matches, "laws"),
             results: results(matches),
         }

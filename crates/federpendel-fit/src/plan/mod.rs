@@ -16,8 +16,8 @@
 //!     quantity: Quantity::Position,
 //!     noise: 1e-3,
 //!     rate: 50.0,
-//!     from: None,
-//!     to: 0.1,
+//!     min_amplitude: None,
+//!     max_amplitude: 0.1,
 //!     longest: Some(20.0),
 //! };
 //! let plan = plan(&setup)?;
@@ -70,7 +70,7 @@ pub struct Row {
     /// The amplitude, m.
     pub amplitude: f64,
     /// The longest recording that was looked at, s: until a period after the rest, until the amplitude has fallen to the
-    /// noise, or the limit; zero if the mass does not move.
+    /// noise, or the limit; zero if the mass rests within five swings, which no fit can be trusted on.
     pub longest: f64,
     /// How well the coefficients of Stokes, Coulomb and Newton friction are known; none for laws that are not expected,
     /// and where nothing is known.
@@ -187,7 +187,7 @@ pub enum PlanError {
         /// The lowest allowed, Hz.
         least: f64,
     },
-    /// The limit is below two periods.
+    /// The limit is below five swings.
     #[error("{duration} s are too short; at least {least} s are needed")]
     TooShort {
         /// The limit, s.
@@ -231,10 +231,10 @@ pub enum PlanError {
 pub fn plan(setup: &Setup) -> Result<Plan, PlanError> {
     setup.check()?;
     let (expected, fitted) = (setup.expected(), setup.fitted());
-    let amplitudes = steps(setup.from(), setup.to);
+    let amplitudes = steps(setup.smallest(), setup.max_amplitude);
     let rows = amplitudes.into_iter().map(|amplitude| row(setup, amplitude));
     let rows = rows.collect::<Result<Vec<_>, _>>()?;
-    let largest = Release::new(setup, setup.to)?;
+    let largest = Release::new(setup, setup.max_amplitude)?;
     let acting = || Law::ALL.into_iter().filter(|law| law.is_in(expected));
     let prospects: Vec<_> = acting().map(|law| prospect(setup, &rows, law)).collect();
     let resolved = |law: Law| prospects.iter().any(|one| one.law == law && one.smallest.is_some());
@@ -278,7 +278,8 @@ fn prospect(setup: &Setup, rows: &[Row], law: Law) -> Prospect {
     let bad = rows.iter().take_while(|row| significance(row, law) < DROWNED);
     let largest = rows.last().and_then(|row| row.laws[law as usize]);
     let beyond = || {
-        let mut amplitudes = steps(setup.to, BEYOND * setup.to).into_iter().skip(1);
+        let mut amplitudes =
+            steps(setup.max_amplitude, BEYOND * setup.max_amplitude).into_iter().skip(1);
         amplitudes.find(|&amplitude| {
             row(setup, amplitude).is_ok_and(|row| significance(&row, law) >= RESOLVED)
         })

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use federpendel::Mix;
 
-use super::setup::Setup;
+use super::setup::{FEWEST_SWINGS, Setup};
 use super::steps::{rounded_up, steps};
 use super::{Law, PAYS, Resolution};
 use crate::information::Information;
@@ -18,7 +18,7 @@ const PER_PERIOD: f64 = 12.0;
 
 /// A release from rest at some amplitude.
 pub struct Release {
-    /// What recordings of these lengths (s) tell, none if the mass does not move; rising, the last as long as it pays at
+    /// What recordings of these lengths (s) tell, none if the mass rests too soon; rising, the last as long as it pays at
     /// all.
     told: Vec<(f64, Information)>,
     noise: f64,
@@ -37,7 +37,7 @@ impl Release {
         Ok(Release { told, noise: setup.noise })
     }
 
-    /// The longest recording that is of any use, s; zero if the mass does not move.
+    /// The longest recording that is of any use, s; zero if the mass rests too soon.
     pub fn longest(&self) -> f64 {
         self.told.last().map_or(0.0, |(duration, _)| *duration)
     }
@@ -66,12 +66,12 @@ impl Release {
 }
 
 /// When nothing more is to be learnt: a period after the mass has come to rest, or when its amplitude has fallen to
-/// the noise of one value, or at the user's limit; none if it never moves.
+/// the noise of one value, or at the user's limit; none if it never moves, or rests too soon.
 fn horizon(setup: &Setup, amplitude: f64) -> Result<Option<f64>, ModelError> {
     let course = course(setup, amplitude)?;
     let period = 2.0 * PI / setup.oscillator.angular_frequency();
     let end = match course.rest {
-        Some(rest) if rest.number == 0 => return Ok(None),
+        Some(rest) if rest.number < FEWEST_SWINGS => return Ok(None),
         Some(rest) => Some(rest.time + period),
         None => None,
     };
@@ -79,7 +79,7 @@ fn horizon(setup: &Setup, amplitude: f64) -> Result<Option<f64>, ModelError> {
     let mut points = course.turning_points.iter();
     let drowned = points.find(|point| point.position.abs() < noise).map(|point| point.time);
     let ends = [end, drowned].into_iter().flatten();
-    let end = ends.reduce(f64::min).map(|end| rounded_up(end.max(period)));
+    let end = ends.reduce(f64::min).map(|end| rounded_up(end.max(setup.shortest())));
     Ok(Some(end.unwrap_or(f64::INFINITY).min(setup.longest())))
 }
 
@@ -106,7 +106,8 @@ fn told(
     let mut jacobian = Jacobian::new();
     let (parameters, stop) = (setup.parameters(amplitude), setup.stop());
     evaluate(&parameters, stop, &times, setup.quantity, &mut values, Some(&mut jacobian))?;
-    let lengths = if horizon > period { steps(period, horizon) } else { vec![horizon] };
+    let shortest = setup.shortest();
+    let lengths = if horizon > shortest { steps(shortest, horizon) } else { vec![horizon] };
     let (mut information, mut from) = (Information::none(), 0);
     Ok(lengths
         .into_iter()

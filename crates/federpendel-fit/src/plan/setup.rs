@@ -22,9 +22,9 @@ pub struct Setup {
     /// Values per second.
     pub rate: f64,
     /// The smallest amplitude of release, m; from the noise if not given.
-    pub from: Option<f64>,
+    pub min_amplitude: Option<f64>,
     /// The largest, m.
-    pub to: f64,
+    pub max_amplitude: f64,
     /// The longest recording, s; a thousand periods if not given.
     pub longest: Option<f64>,
 }
@@ -32,8 +32,8 @@ pub struct Setup {
 /// Fewest values per swing, half a period.
 const PER_SWING: f64 = 4.0;
 
-/// The shortest recording that anything is planned for, periods.
-const SHORTEST: f64 = 2.0;
+/// Fewest swings in a recording: of fewer, fits from a cold start often go astray, however low the noise.
+pub(super) const FEWEST_SWINGS: u64 = 5;
 
 /// The longest recording without a limit of the user's, periods.
 const LONGEST: f64 = 1000.0;
@@ -53,15 +53,20 @@ impl Setup {
         start::mix(Law::ALL.map(|law| law.is_in(self.also) || law.is_in(self.expected())))
     }
 
+    /// The shortest recording that anything is planned for, s.
+    pub(super) fn shortest(&self) -> f64 {
+        0.5 * FEWEST_SWINGS as f64 * self.period()
+    }
+
     /// The longest recording, s.
     pub fn longest(&self) -> f64 {
         self.longest.unwrap_or(LONGEST * self.period())
     }
 
     /// The smallest amplitude, m.
-    pub fn from(&self) -> f64 {
+    pub fn smallest(&self) -> f64 {
         let visible = (OVER_NOISE * self.noise_length()).max(self.oscillator.sticking_offset());
-        self.from.unwrap_or(visible.max(self.to / RANGE))
+        self.min_amplitude.unwrap_or(visible.max(self.max_amplitude / RANGE))
     }
 
     /// The parameters after a release from rest.
@@ -90,10 +95,11 @@ impl Setup {
 
     /// Whether a plan can be made.
     pub(super) fn check(&self) -> Result<(), PlanError> {
-        let given = [("from_amplitude", self.from), ("duration", self.longest)];
-        let all = [("noise", self.noise), ("rate", self.rate), ("to_amplitude", self.to)]
-            .into_iter()
-            .chain(given.into_iter().filter_map(|(name, value)| Some((name, value?))));
+        let given = [("min_amplitude", self.min_amplitude), ("duration", self.longest)];
+        let all =
+            [("noise", self.noise), ("rate", self.rate), ("max_amplitude", self.max_amplitude)]
+                .into_iter()
+                .chain(given.into_iter().filter_map(|(name, value)| Some((name, value?))));
         for (name, value) in all {
             if !(value.is_finite() && value > 0.0) {
                 return Err(PlanError::NotPositive { name, value });
@@ -107,19 +113,21 @@ impl Setup {
         if self.rate < least {
             return Err(PlanError::RateTooLow { rate: self.rate, least });
         }
-        let shortest = SHORTEST * period;
-        if self.longest() < shortest {
-            return Err(PlanError::TooShort { duration: self.longest(), least: shortest });
+        if self.longest() < self.shortest() {
+            return Err(PlanError::TooShort { duration: self.longest(), least: self.shortest() });
         }
         let held = self.oscillator.sticking_offset();
-        if self.to <= held {
-            return Err(PlanError::Sticks { amplitude: self.to, held });
+        if self.max_amplitude <= held {
+            return Err(PlanError::Sticks { amplitude: self.max_amplitude, held });
         }
-        match self.from {
-            Some(from) if from >= self.to => Err(PlanError::Reversed { from, to: self.to }),
-            None if self.from() >= self.to => {
-                Err(PlanError::Drowned { noise: self.noise_length(), amplitude: self.to })
+        match self.min_amplitude {
+            Some(from) if from >= self.max_amplitude => {
+                Err(PlanError::Reversed { from, to: self.max_amplitude })
             }
+            None if self.smallest() >= self.max_amplitude => Err(PlanError::Drowned {
+                noise: self.noise_length(),
+                amplitude: self.max_amplitude,
+            }),
             _ => Ok(()),
         }
     }

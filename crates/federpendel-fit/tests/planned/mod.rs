@@ -57,7 +57,16 @@ impl Experiment {
     pub fn setup(&self) -> Result<Setup> {
         let &Experiment { quantity, noise, rate, to, longest, also, .. } = self;
         let oscillator = self.oscillator()?;
-        Ok(Setup { oscillator, also, quantity, noise, rate, from: None, to, longest })
+        Ok(Setup {
+            oscillator,
+            also,
+            quantity,
+            noise,
+            rate,
+            min_amplitude: None,
+            max_amplitude: to,
+            longest,
+        })
     }
 }
 

@@ -36,7 +36,7 @@ fn advice(catalogue: &Catalogue, plan: &Plan) -> String {
         return catalogue.text("plan-none-expected");
     }
     let Some(advice) = plan.advice() else {
-        let amplitude = length(catalogue, plan.setup.to);
+        let amplitude = length(catalogue, plan.setup.max_amplitude);
         return catalogue.format("plan-advice-none", &[("amplitude", amplitude)]);
     };
     let variables = [
@@ -62,7 +62,7 @@ fn drowned(catalogue: &Catalogue, plan: &Plan) -> Option<String> {
 /// A law that even the largest amplitude does not resolve, and what would.
 fn unresolved(catalogue: &Catalogue, plan: &Plan, prospect: &Prospect) -> String {
     let law = ("law", name(catalogue, prospect.law).into());
-    let amplitude = ("amplitude", length(catalogue, plan.setup.to));
+    let amplitude = ("amplitude", length(catalogue, plan.setup.max_amplitude));
     let (Some(known), Some(factor)) = (prospect.largest, prospect.noise_factor()) else {
         return catalogue.format("plan-unseen", &[law, amplitude]);
     };
@@ -88,7 +88,7 @@ fn confused(catalogue: &Catalogue, plan: &Plan, pair: &Pair) -> String {
     let variables = [
         ("one", one),
         ("other", other),
-        ("amplitude", length(catalogue, plan.setup.to)),
+        ("amplitude", length(catalogue, plan.setup.max_amplitude)),
         ("correlation", catalogue.number(pair.correlation, 2).into()),
     ];
     catalogue.format("plan-confused", &variables)
@@ -99,7 +99,7 @@ fn limit(catalogue: &Catalogue, plan: &Plan, limit: &Limit) -> String {
     let variables = [
         ("law", name(catalogue, limit.law).into()),
         ("value", coefficient(catalogue, limit.law, limit.resolved()).into()),
-        ("amplitude", length(catalogue, plan.setup.to)),
+        ("amplitude", length(catalogue, plan.setup.max_amplitude)),
         ("duration", time(catalogue, limit.duration)),
     ];
     catalogue.format("plan-limit", &variables)

@@ -32,7 +32,7 @@ pub fn plot(catalogue: &Catalogue, plan: &Plan) -> Plot {
     let data = SignificanceData {
         mix: plan.setup.expected(),
         curves: &curves,
-        amplitudes: (plan.setup.from(), plan.setup.to),
+        amplitudes: (plan.setup.smallest(), plan.setup.max_amplitude),
         threshold: RESOLVED,
     };
     Plot::significance(catalogue, &data)

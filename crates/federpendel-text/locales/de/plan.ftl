@@ -4,29 +4,29 @@
 
 cli-plan = Einen Versuch planen: von wo loslassen, wie lange aufzeichnen, damit sich die Reibungsgesetze trennen
 cli-plan-examples =
-    Der Versuch sagt, was zu erwarten ist: Masse, Feder, Reibung. Seine Auslenkung (position) ist die größte, aus der losgelassen werden darf (oder --to-amplitude), seine Dauer (duration) die längste Aufzeichnung.
+    Der Versuch sagt, was zu erwarten ist: Masse, Feder, Reibung. Seine Auslenkung (position) ist die größte, aus der losgelassen werden darf (oder --max-amplitude), seine Dauer (duration) die längste Aufzeichnung.
 
     Beispiele:
       federpendel plan --noise 1mm
-      federpendel plan mein.toml --noise 1mm --rate 50Hz --to-amplitude 30cm
+      federpendel plan mein.toml --noise 1mm --rate 50Hz --max-amplitude 30cm
       federpendel plan mein.toml --noise "2 cm/s^2" --rate "100 Hz" --duration "60 s" --details
       federpendel plan mein.toml --noise 1mm --laws auto -o plan.svg -o plan.json
 cli-plan-noise = Rauschen des Sensors (Standardabweichung eines Werts); seine Einheit sagt, was aufgezeichnet wird: „1 mm“ die Auslenkung, „1 mm/s“ die Geschwindigkeit, „1 cm/s^2“ die Beschleunigung
 cli-plan-rate = Werte je Sekunde der Aufzeichnung (Vorgabe: 50 Hz)
 cli-plan-quantity = Was aufgezeichnet wird: position (Auslenkung), velocity (Geschwindigkeit) oder acceleration (Beschleunigung); Vorgabe: was die Einheit von --noise sagt
-cli-plan-from-amplitude = Kleinste Amplitude beim Loslassen, die betrachtet wird (Vorgabe: das Zehnfache des Rauschens)
-cli-plan-to-amplitude = Größte Amplitude beim Loslassen (Vorgabe: die des Versuchs)
+cli-plan-min-amplitude = Kleinste Amplitude beim Loslassen, die betrachtet wird (Vorgabe: das Zehnfache des Rauschens)
+cli-plan-max-amplitude = Größte Amplitude beim Loslassen (Vorgabe: die des Versuchs)
 cli-plan-laws = Reibungsgesetze, die die Anpassung außer den erwarteten zulässt: auto (alle drei), none (keines, Vorgabe) oder eine Liste aus stokes, coulomb, newton
 
 plan-no-noise = --noise fehlt; erlaubt ist die Standardabweichung eines Werts des Sensors, etwa --noise 1mm
 plan-no-samples = --samples gehört nicht zu einem Plan; erlaubt sind --rate, die Werte je Sekunde, und --duration, die Dauer
-plan-no-release = Der Versuch beginnt in der Mitte; nötig ist eine größte Amplitude, etwa --to-amplitude 10cm
+plan-no-release = Der Versuch beginnt in der Mitte; nötig ist eine größte Amplitude, etwa --max-amplitude 10cm
 plan-rate-too-low = --rate ist { $rate }; erlaubt ist mindestens { $least }, vier Werte je Halbschwingung
-plan-duration-too-short = --duration ist { $duration }; erlaubt ist mindestens { $least }, zwei Perioden
+plan-duration-too-short = --duration ist { $duration }; erlaubt ist mindestens { $least }, fünf Halbschwingungen
 plan-no-swings = Mit der erwarteten Reibung schwingt die Masse nicht: Ihr Dämpfungsgrad ist { $ratio }; erlaubt ist einer unter 1
-plan-sticks = Aus { $amplitude } losgelassen bewegt sich die Masse nicht, denn die Haftreibung hält sie bis { $held }; erlaubt ist ein größeres --to-amplitude oder position
-plan-reversed = --from-amplitude ist { $from }; erlaubt ist weniger als die größte Amplitude, { $to }
-plan-drowned = Das Rauschen entspricht einer Amplitude von { $noise }; losgelassen werden darf höchstens aus { $amplitude }, weniger als dem Zehnfachen. Nötig ist weniger Rauschen oder ein größeres --to-amplitude oder position
+plan-sticks = Aus { $amplitude } losgelassen bewegt sich die Masse nicht, denn die Haftreibung hält sie bis { $held }; erlaubt ist ein größeres --max-amplitude oder position
+plan-reversed = --min-amplitude ist { $from }; erlaubt ist weniger als die größte Amplitude, { $to }
+plan-drowned = Das Rauschen entspricht einer Amplitude von { $noise }; losgelassen werden darf höchstens aus { $amplitude }, weniger als dem Zehnfachen. Nötig ist weniger Rauschen oder ein größeres --max-amplitude oder position
 plan-not-computed = Die Bewegung mit diesen Koeffizienten lässt sich nicht berechnen: Zahlen auf dem Weg sind zu groß oder zu klein
 plan-too-long = Die Bewegung lässt sich nur bis { $reached } verfolgen; erlaubt ist eine kürzere Dauer (--duration)
 
@@ -45,7 +45,7 @@ plan-none-expected = Es wird keine Reibung erwartet.
 plan-advice-one = Mindestens aus { $amplitude } loslassen und { $duration } aufzeichnen: Dann zeigt sich { $mix }.
 plan-advice-some = Mindestens aus { $amplitude } loslassen und { $duration } aufzeichnen: Dann trennen sich { $mix }.
 plan-advice-none = Bis { $amplitude } lässt sich nichts auflösen.
-plan-drowns = Unter { $amplitude } geht { $law } im Rauschen unter.
+plan-drowns = Unter { $amplitude } zeigt sich { $law } nicht.
 plan-unresolved = { $law } wird auch aus { $amplitude } nicht aufgelöst: Dort liegt ihr Koeffizient { $significance } Standardfehler über null. Es hülfe ein { $factor }-mal kleineres Rauschen oder die { $square }-fache Rate.
 plan-unresolved-beyond = { $law } wird auch aus { $amplitude } nicht aufgelöst: Dort liegt ihr Koeffizient { $significance } Standardfehler über null. Es hülfe ein { $factor }-mal kleineres Rauschen, die { $square }-fache Rate oder Loslassen aus { $beyond }.
 plan-unseen = { $law } ist bis { $amplitude } gar nicht zu sehen.

@@ -31,8 +31,8 @@ fn options(catalogue: &Catalogue) -> [Arg; 6] {
         named("rate", "cli-value-quantity", "cli-plan-rate"),
         choice("quantity", QUANTITIES.map(|(name, _)| name), catalogue)
             .help(catalogue.text("cli-plan-quantity")),
-        named("from-amplitude", "cli-value-quantity", "cli-plan-from-amplitude"),
-        named("to-amplitude", "cli-value-quantity", "cli-plan-to-amplitude"),
+        named("min-amplitude", "cli-value-quantity", "cli-plan-min-amplitude"),
+        named("max-amplitude", "cli-value-quantity", "cli-plan-max-amplitude"),
         named("laws", "cli-value-names", "cli-plan-laws"),
     ]
     .map(|arg| arg.help_heading(heading.clone()))

@@ -86,7 +86,8 @@ fn details<'a>(plan: &Plan, style: Style<'a>) -> Table<'a> {
         ("rate", catalogue.number(setup.rate, DIGITS).into()),
     ];
     table.row("plan-row-recording", catalogue.format("plan-recording-value", &recording));
-    let range = [("from", length(setup.from()).into()), ("to", length(setup.to).into())];
+    let range =
+        [("from", length(setup.smallest()).into()), ("to", length(setup.max_amplitude).into())];
     table.row("plan-row-amplitudes", catalogue.format("plan-amplitudes-value", &range));
     table.row("plan-row-fitted", catalogue.mix(setup.fitted()));
     let fitted = match laws(setup.fitted()).join(",") {
@@ -103,7 +104,10 @@ fn details<'a>(plan: &Plan, style: Style<'a>) -> Table<'a> {
         let value = both(law, prospect.coefficient);
         table.named(name(catalogue, law), catalogue.format("plan-coefficient-value", &value));
         let Some(known) = prospect.largest else { continue };
-        let from = [("law", name(catalogue, law).into()), ("amplitude", length(setup.to).into())];
+        let from = [
+            ("law", name(catalogue, law).into()),
+            ("amplitude", length(setup.max_amplitude).into()),
+        ];
         let known = [
             ("significance", catalogue.number(known.significance, 2).into()),
             ("duration", catalogue.quantity(known.duration, "s", DIGITS).into()),
@@ -115,7 +119,7 @@ fn details<'a>(plan: &Plan, style: Style<'a>) -> Table<'a> {
         let [one, other] = pair.laws.map(|law| name(catalogue, law).into());
         let value = [
             ("correlation", catalogue.number(pair.correlation, 2).into()),
-            ("amplitude", length(setup.to).into()),
+            ("amplitude", length(setup.max_amplitude).into()),
         ];
         let names = catalogue.format("fit-and", &[("one", one), ("other", other)]);
         table.named(names, catalogue.format("plan-pair-value", &value));
