@@ -5,6 +5,7 @@ mod command;
 mod fit;
 mod generate;
 mod missing;
+mod plan;
 mod refuse;
 mod score;
 
@@ -12,6 +13,7 @@ pub use beside::Beside;
 pub use fit::Fit;
 pub(crate) use fit::QUANTITIES;
 pub(crate) use generate::{completions, man};
+pub use plan::Plan;
 pub use score::Score;
 
 use std::ffi::OsString;
@@ -43,6 +45,8 @@ pub enum Request {
     Article(Article),
     /// Fit recordings.
     Fit(Box<Fit>),
+    /// Plan an experiment.
+    Plan(Plan),
     /// Hold samples against a reference problem.
     Score(Score),
     /// Write the completions for a shell.
@@ -179,6 +183,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
             None => Request::Man,
         },
         Some(("man", _)) => Request::Man,
+        Some(("plan", matches)) => Request::Plan(Plan::new(matches)),
         Some(("score", matches)) => Request::Score(Score::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
         Some(("fit", matches)) => Request::Fit(Box::new(Fit::new(matches))),

@@ -2,7 +2,7 @@
 
 mod options;
 
-pub(crate) use options::{INTERVALS, LOSSES};
+pub(crate) use options::{INTERVALS, LOSSES, laws};
 
 use std::path::Path;
 

@@ -10,6 +10,7 @@ mod failure;
 mod fit;
 mod load;
 mod output;
+mod plan;
 mod progress;
 pub mod quantity;
 mod record;
@@ -43,6 +44,7 @@ fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
         Request::Compare(arguments) => compare::run(arguments, catalogue),
         Request::Article(arguments) => article::run(arguments, catalogue),
         Request::Fit(arguments) => fit::run(arguments, catalogue),
+        Request::Plan(arguments) => plan::run(arguments, catalogue),
         Request::Score(arguments) => score::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),

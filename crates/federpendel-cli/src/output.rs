@@ -6,6 +6,7 @@ mod csv;
 mod fit;
 mod json;
 mod motion;
+mod plan;
 mod plot;
 mod score;
 mod summary;
@@ -19,6 +20,7 @@ pub use csv::Dialect;
 pub(crate) use fit::write_fits;
 pub(crate) use motion::MotionReport;
 pub use motion::Picture as MotionPicture;
+pub(crate) use plan::write_plan;
 pub(crate) use score::write_score;
 pub(crate) use targets::Targets;
 

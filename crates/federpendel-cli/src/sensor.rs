@@ -2,6 +2,7 @@
 
 use federpendel::Sample;
 use federpendel::parameter::{ParameterInfo, Range};
+use federpendel_fit::Quantity;
 use federpendel_text::Catalogue;
 use rand_distr::{Distribution, Normal};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -12,7 +13,7 @@ use crate::quantity::{Dimension, parse};
 use crate::words::flag_value;
 
 /// Standard deviation of the noise; its unit is that of what is recorded.
-const NOISE: ParameterInfo = ParameterInfo {
+pub(crate) const NOISE: ParameterInfo = ParameterInfo {
     name: "noise",
     symbol: "σ",
     unit: "m",
@@ -20,18 +21,37 @@ const NOISE: ParameterInfo = ParameterInfo {
     default: None,
 };
 
-/// What a sensor records.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Recorded {
-    Position,
-    Velocity,
-    Acceleration,
+/// What can be recorded, and what it is measured in.
+const KINDS: [(Quantity, Dimension); 3] = [
+    (Quantity::Position, Dimension::Length),
+    (Quantity::Velocity, Dimension::Velocity),
+    (Quantity::Acceleration, Dimension::Acceleration),
+];
+
+/// What is recorded, and the standard deviation of its noise as `written` (SI); the unit says what, unless that is given
+/// already.
+///
+/// # Errors
+/// What is wrong with it, as for a length where nothing else fits.
+pub(crate) fn noise(
+    written: &str,
+    given: Option<Quantity>,
+    info: &ParameterInfo,
+    catalogue: &Catalogue,
+) -> Result<(Quantity, f64), Failure> {
+    let fits = |(quantity, dimension): &&(Quantity, Dimension)| match given {
+        Some(given) => *quantity == given,
+        None => parse(written, *dimension).is_ok(),
+    };
+    let (quantity, dimension) = KINDS.iter().find(fits).copied().unwrap_or(KINDS[0]);
+    let deviation = flag_value(catalogue, info, dimension, written).map_err(Failure::Input)?;
+    Ok((quantity, deviation))
 }
 
 /// A sensor: what it records, and how noisily.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sensor {
-    recorded: Recorded,
+    recorded: Quantity,
     /// Standard deviation of its noise, in the SI unit of what it records.
     deviation: f64,
     seed: u64,
@@ -44,24 +64,16 @@ impl Sensor {
     /// # Errors
     /// What is wrong with it, as for a length.
     pub(crate) fn named(written: &str, seed: u64, catalogue: &Catalogue) -> Result<Self, Failure> {
-        let kinds = [
-            (Recorded::Position, Dimension::Length),
-            (Recorded::Velocity, Dimension::Velocity),
-            (Recorded::Acceleration, Dimension::Acceleration),
-        ];
-        let fits = |(_, dimension): &&(Recorded, Dimension)| parse(written, *dimension).is_ok();
-        let (recorded, dimension) = kinds.iter().find(fits).copied().unwrap_or(kinds[0]);
-        let deviation =
-            flag_value(catalogue, &NOISE, dimension, written).map_err(Failure::Input)?;
+        let (recorded, deviation) = noise(written, None, &NOISE, catalogue)?;
         Ok(Sensor { recorded, deviation, seed })
     }
 
     /// The header of its column.
     pub(crate) fn column(&self) -> &'static str {
         match self.recorded {
-            Recorded::Position => "Position (m)",
-            Recorded::Velocity => "Velocity (m/s)",
-            Recorded::Acceleration => "Acceleration (m/s^2)",
+            Quantity::Position => "Position (m)",
+            Quantity::Velocity => "Velocity (m/s)",
+            Quantity::Acceleration => "Acceleration (m/s^2)",
         }
     }
 
@@ -74,9 +86,9 @@ impl Sensor {
         let normal = Normal::new(0.0, deviation).ok();
         samples.iter().map(move |sample| {
             let value = match recorded {
-                Recorded::Position => sample.position,
-                Recorded::Velocity => sample.velocity,
-                Recorded::Acceleration => sample.acceleration,
+                Quantity::Position => sample.position,
+                Quantity::Velocity => sample.velocity,
+                Quantity::Acceleration => sample.acceleration,
             };
             let noise = normal.map_or(0.0, |normal| normal.sample(&mut random));
             [sample.time, value + noise]

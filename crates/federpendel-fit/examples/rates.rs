@@ -8,8 +8,8 @@
 use std::time::Instant;
 
 use federpendel::Mix;
-use federpendel_fit::model::{Jacobian, evaluate};
-use federpendel_fit::{FitReport, Options, Parameters, Standing, Stop, fit};
+use federpendel_fit::plan::{Law, RESOLVED};
+use federpendel_fit::{FitReport, Information, Options, Parameters, Standing, Stop, fit};
 
 #[path = "../tests/synthetic/mod.rs"]
 mod synthetic;
@@ -100,7 +100,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 }
                 continue;
             }
-            if full[law] >= 5.0 {
+            if full[law] >= RESOLVED {
                 named.count(says);
                 if !says {
                     println!(
@@ -110,7 +110,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     );
                 }
             }
-            if own[law] >= 5.0 {
+            if own[law] >= RESOLVED {
                 let verdict = report.verdict.mix;
                 named_alone.count([verdict.stokes, verdict.coulomb, verdict.newton][law]);
             }
@@ -192,35 +192,15 @@ fn starts_soon(known: &Known, report: &FitReport) -> bool {
 /// The standard errors by which each coefficient is away from zero, at the truth in `mix`.
 fn resolution(known: &Known, mix: Mix) -> [f64; 3] {
     let times = &known.recording.times[known.release..];
-    let mut jacobian = Jacobian::new();
-    let mut values = vec![0.0; times.len()];
     let stop = known.rests.map_or(Stop::Never, Stop::After);
-    let done = evaluate(
-        &known.truth,
-        stop,
-        times,
-        known.recording.quantity,
-        &mut values,
-        Some(&mut jacobian),
-    );
-    if done.is_err() {
-        return [0.0; 3];
-    }
-    let laws = [mix.stokes, mix.coulomb, mix.newton];
-    let used: Vec<usize> = (0..7).filter(|&i| !(1..4).contains(&i) || laws[i - 1]).collect();
-    let n = used.len();
-    let column = |i: usize| jacobian.column(used[i]);
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    let scale: Vec<f64> = (0..n).map(|i| dot(column(i), column(i)).sqrt()).collect();
-    let matrix =
-        nalgebra::DMatrix::from_fn(n, n, |i, j| dot(column(i), column(j)) / (scale[i] * scale[j]));
-    let Some(inverse) = matrix.cholesky().map(|factor| factor.inverse()) else { return [0.0; 3] };
+    let told = Information::of(&known.truth, stop, times, known.recording.quantity);
     let truth = known.truth.to_array();
-    std::array::from_fn(|law| {
-        used.iter()
-            .position(|&i| i == law + 1)
-            .map_or(0.0, |i| truth[law + 1] * scale[i] / (inverse[(i, i)].sqrt() * known.sigma))
-    })
+    // Infinite where nothing is known, so that nothing is resolved.
+    let stderr = |law: Law| match &told {
+        Ok(told) if law.is_in(mix) => told.stderr(mix, law.index(), known.sigma),
+        _ => f64::INFINITY,
+    };
+    Law::ALL.map(|law| truth[law.index()] / stderr(law))
 }
 
 fn describe(known: &Known, report: &FitReport) -> String {

@@ -1,8 +1,9 @@
 //! Standard errors and correlations from the curvature at the minimum.
 
+use crate::information::inverse;
 use crate::least_squares::Minimum;
 use crate::noise::Excess;
-use crate::problem::{LAWS, Matrix, OMEGA, Vector};
+use crate::problem::{LAWS, Matrix, OMEGA};
 
 /// The covariance of the `free` parameters of a fit to `count` values.
 ///
@@ -10,25 +11,11 @@ use crate::problem::{LAWS, Matrix, OMEGA, Vector};
 /// that hang together count as [`crate::noise`] says. A coefficient that ended at zero counts as
 /// free: that it could not fall below makes the others no surer.
 pub fn covariance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Excess) -> Matrix {
-    let information = &minimum.normal.information;
-    let scale = Vector::from_fn(|i, _| information[(i, i)].sqrt());
-    let used = |i: usize| free[i] && scale[i] > 0.0;
-    let scaled = Matrix::from_fn(|i, j| match i == j {
-        true => 1.0 + 1e-13,
-        false if used(i) && used(j) => information[(i, j)] / (scale[i] * scale[j]),
-        false => 0.0,
-    });
-    let inverse = scaled.cholesky().map(|factor| factor.inverse());
+    let inverse = inverse(&minimum.normal.information, free);
     let variance = variance(minimum, free, count, excess);
-    Matrix::from_fn(|i, j| match &inverse {
-        Some(inverse) if used(i) && used(j) => {
-            let excess = (excess.of(i) * excess.of(j)).sqrt();
-            inverse[(i, j)] / (scale[i] * scale[j]) * variance * excess
-        }
-        // Nothing is known where the curvature vanishes.
-        None if free[i] && i == j => f64::INFINITY,
-        _ if i == j && free[i] => f64::INFINITY,
-        _ => 0.0,
+    Matrix::from_fn(|i, j| match inverse[(i, j)] {
+        unknown if unknown.is_infinite() => unknown,
+        known => known * variance * (excess.of(i) * excess.of(j)).sqrt(),
     })
 }
 

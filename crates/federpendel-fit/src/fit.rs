@@ -27,6 +27,10 @@ use crate::{Quantity, Recording};
 /// Fewest values that are fitted: more than there are parameters, with some to judge them by.
 const FEWEST: usize = 12;
 
+/// So many standard errors off a position is taken to be possible where a rest is bracketed: it is a difference of
+/// two of them, each known about as well as half a swing of values tells.
+const BLUR: f64 = 4.0;
+
 /// Fits every mix of the allowed laws to a recording of a free decay, from a cold start.
 ///
 /// # Errors [`FitError`] if the recording or an option is out of range, if nothing moves, or if no
@@ -227,7 +231,7 @@ impl Fits {
         let mut parameters: Vec<Parameter> =
             used.iter().map(|&i| parameter(i, &minimum.at, &spread, found[i])).collect();
         let rest =
-            if minimum.at[COULOMB] > 0.0 { stop::rest(&mut self.problem, minimum) } else { None };
+            if minimum.at[COULOMB] > 0.0 { self.rest(minimum, &free, &spread) } else { None };
         parameters.extend(rest.map(|rest| Parameter {
             name: "static_acceleration",
             value: None,
@@ -248,6 +252,21 @@ impl Fits {
             stop_reason: minimum.reason,
             rest,
         }
+    }
+
+    /// The rest of a motion, with positions as unsure as half a swing of values leaves them.
+    fn rest(&mut self, minimum: &Minimum, free: &[bool; 7], spread: &Matrix) -> Option<stop::Rest> {
+        let variance = variance(minimum, free, self.problem.len(), self.excess);
+        let omega = minimum.at[OMEGA];
+        let values = (PI / omega / self.problem.step()).max(1.0) / self.excess.of_amplitude;
+        let power = match self.problem.quantity {
+            Quantity::Position => 0,
+            Quantity::Velocity => 1,
+            Quantity::Acceleration => 2,
+        };
+        let blur = BLUR * (variance / values.max(1.0)).sqrt() / omega.powi(power);
+        let dry = student(self.effective) * spread[(COULOMB, COULOMB)].sqrt();
+        stop::rest(&mut self.problem, minimum, (blur, dry))
     }
 
     /// The interval of each free parameter.

@@ -12,6 +12,7 @@
 //!    (`adequacy`), and from which amplitude a further recording would tell more (`reach`).
 //!
 //! What a mass or a stiffness makes of it says [`physical()`], and [`damping()`] says it as engineers do.
+//! [`plan()`](plan::plan) says before there is a recording what one could tell.
 //!
 //! ```
 //! use federpendel_fit::{Options, Quantity, Recording, fit};
@@ -39,6 +40,7 @@ pub mod error;
 pub mod extremes;
 mod fit;
 mod growing;
+pub mod information;
 mod jumps;
 mod least_squares;
 mod mixes;
@@ -46,6 +48,7 @@ pub mod model;
 pub mod noise;
 pub mod options;
 pub mod physical;
+pub mod plan;
 mod problem;
 mod profile;
 mod propagation;
@@ -64,6 +67,7 @@ pub use adequacy::{Adequacy, Fault, Finding};
 pub use damping::{Damping, damping};
 pub use error::FitError;
 pub use fit::fit;
+pub use information::Information;
 pub use least_squares::StopReason;
 pub use model::{Course, Jacobian, ModelError, Parameters, Stop};
 pub use options::{Bootstrap, Intervals, Laws, Loss, Options};

@@ -10,7 +10,7 @@ use crate::extremes::Look;
 use crate::problem::{COULOMB, LAWS, Problem, Vector};
 
 /// How fast the recorded quantity grows with the amplitude, in powers of ω0.
-fn per_length(quantity: Quantity, omega: f64) -> f64 {
+pub fn per_length(quantity: Quantity, omega: f64) -> f64 {
     match quantity {
         Quantity::Position => 1.0,
         Quantity::Velocity => omega,

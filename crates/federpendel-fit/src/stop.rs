@@ -98,29 +98,33 @@ pub struct Rest {
     pub position: f64,
     /// How many turning points it took from the beginning of the window, the rest among them.
     pub turning_points: u64,
-    /// μ_s F_N/m lies between these: the mass held here, and not one turning point earlier (none:
-    /// no earlier one is known).
+    /// μ_s F_N/m lies between these, as far as noise tells: the mass held here, and not one turning point
+    /// earlier (none: no earlier one is known).
     pub static_acceleration: (f64, Option<f64>),
     /// Whether the rest needs a static friction above the kinetic one.
     pub static_above_kinetic: bool,
 }
 
-/// The rest of a fitted motion within the window, if there is one.
-pub fn rest(problem: &mut Problem, minimum: &Minimum) -> Option<Rest> {
+/// The rest of a fitted motion within the window, if there is one. `blur` is how far a position is unsure, in the
+/// unit of a length, and `dry` how far the kinetic friction over mass is.
+pub fn rest(problem: &mut Problem, minimum: &Minimum, (blur, dry): (f64, f64)) -> Option<Rest> {
     let p = &minimum.at;
     let course = problem.course(p, minimum.ending, false)?;
     let rest = course.rest?;
-    let force = |position: f64| p[OMEGA] * p[OMEGA] * position.abs();
-    let before = course.turning_points.len().checked_sub(2);
-    let before = before.and_then(|i| course.turning_points.get(i));
+    let force = |distance: f64| p[OMEGA] * p[OMEGA] * distance.max(0.0);
+    let (_, earlier) = course.turning_points.split_last()?;
+    // A swing that noise hides may not have been one: the mass has moved on from farther away for sure.
+    let moved_on = |position: f64| (position - rest.position).abs() > blur;
+    let before = earlier.iter().rev().find(|point| moved_on(point.position));
+    let distance = rest.position.abs();
     Some(Rest {
         time: rest.time,
         position: rest.position,
         turning_points: rest.number,
         static_acceleration: (
-            force(rest.position).max(p[COULOMB]),
-            before.map(|point| force(point.position)),
+            force(distance - blur).max(p[COULOMB] - dry).max(0.0),
+            before.map(|point| force(point.position.abs() + blur)),
         ),
-        static_above_kinetic: force(rest.position) > p[COULOMB],
+        static_above_kinetic: force(distance) > p[COULOMB],
     })
 }

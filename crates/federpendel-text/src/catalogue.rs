@@ -98,11 +98,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/sketch.ftl")),
             include_str!(concat!("../locales/", $folder, "/fit.ftl")),
             include_str!(concat!("../locales/", $folder, "/physical.ftl")),
+            include_str!(concat!("../locales/", $folder, "/plan.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 7] {
+fn sources(language: Language) -> [&'static str; 8] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

@@ -3,6 +3,7 @@
 mod article;
 mod beside;
 mod fit;
+mod plan;
 mod score;
 
 use std::path::PathBuf;
@@ -51,6 +52,7 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         .subcommand(compare(catalogue))
         .subcommand(article::article(catalogue))
         .subcommand(fit::fit(catalogue))
+        .subcommand(plan::plan(catalogue))
         .subcommand(score::score(catalogue))
         .subcommand(completions(catalogue))
         .subcommand(manual(catalogue))
@@ -158,7 +160,7 @@ fn compare(catalogue: &Catalogue) -> Command {
     common(about_an_experiment(command, catalogue), catalogue)
 }
 
-/// The experiment and where results go: what `simulate` and `compare` share.
+/// The experiment and where results go: what `simulate`, `compare` and `plan` share.
 fn about_an_experiment(command: Command, catalogue: &Catalogue) -> Command {
     experiment(command.args(output(catalogue)), catalogue)
 }

@@ -30,8 +30,8 @@ pub(super) fn value(arguments: &[OsString], command: &Command) -> Option<String>
 
 fn takes_quantity(word: &OsStr) -> bool {
     let name = word.to_str().and_then(|word| word.strip_prefix("--"));
-    let fineness = ["dt", "tolerance", "width"];
+    let others = ["dt", "tolerance", "width", "noise", "rate", "min-amplitude", "max-amplitude"];
     name.is_some_and(|name| {
-        fineness.contains(&name) || Field::ALL.iter().any(|field| field.flag() == name)
+        others.contains(&name) || Field::ALL.iter().any(|field| field.flag() == name)
     })
 }

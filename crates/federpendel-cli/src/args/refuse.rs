@@ -10,14 +10,15 @@ use federpendel_text::Catalogue;
 use crate::words::nearest;
 
 /// The commands, as they are listed.
-const COMMANDS: [&str; 7] =
-    ["simulate", "compare", "article", "fit", "score", "completions", "man"];
+const COMMANDS: [&str; 8] =
+    ["simulate", "compare", "article", "fit", "plan", "score", "completions", "man"];
 
 /// Commands that take one file, each with the sentence that refuses a second one.
-const SECOND_FILE: [(&str, &str); 4] = [
+const SECOND_FILE: [(&str, &str); 5] = [
     ("simulate", "cli-second-file"),
     ("compare", "cli-second-file"),
     ("article", "cli-second-file"),
+    ("plan", "cli-second-file"),
     ("score", "cli-second-samples"),
 ];
 

@@ -93,7 +93,7 @@ fn refused(name: &str, written: &str, error: &quantity::Error, catalogue: &Catal
 }
 
 /// The laws: `auto` for those that show, `none`, or a list of those that act.
-fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Laws, Failure> {
+pub fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Laws, Failure> {
     let mut mix = Mix::default();
     match written {
         None | Some("auto") => return Ok(Options::default().laws),

@@ -5,11 +5,13 @@ mod comparison;
 mod document;
 mod fit;
 mod physical;
+mod plan;
 mod score;
 mod tidy;
 
 use std::io::{self, Write};
 
+use federpendel_fit::plan::Plan;
 use federpendel_report::article::Checks;
 use federpendel_text::Catalogue;
 use serde::Serialize;
@@ -23,6 +25,7 @@ use article::ArticleDocument;
 use comparison::ComparisonDocument;
 use document::Document;
 use fit::{FitDocument, FitsDocument};
+use plan::PlanDocument;
 use score::ScoreDocument;
 use tidy::Tidy;
 
@@ -55,6 +58,14 @@ pub(super) fn write_fits(
         ([fit], []) => write_document(&FitDocument::new(fit, catalogue), out),
         _ => write_document(&FitsDocument::new(fits, catalogue), out),
     }
+}
+
+pub(super) fn write_plan(
+    plan: &Plan,
+    catalogue: &Catalogue,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    write_document(&PlanDocument::new(plan, catalogue), out)
 }
 
 fn write_document(document: &impl Serialize, out: &mut dyn Write) -> io::Result<()> {

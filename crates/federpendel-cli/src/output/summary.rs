@@ -1,5 +1,6 @@
 //! A first screen for a person: one plot, one sentence, a short table; details on request.
 
+mod columns;
 mod details;
 mod noise;
 mod table;
@@ -15,6 +16,7 @@ use super::Style;
 use super::plot::write_terminal;
 use crate::record::{Record, Source};
 use crate::words::remark;
+pub(super) use columns::write_columns;
 pub(super) use noise::Noise;
 pub(super) use table::Table;
 pub(super) use wrap::wrap;

@@ -18,6 +18,7 @@ mod phase;
 mod recording;
 mod roots;
 mod series;
+mod significance;
 mod span;
 mod thin;
 mod ticks;
@@ -36,6 +37,7 @@ pub use phase::PhaseData;
 pub use recording::RecordingData;
 pub use roots::RootsData;
 pub use series::{Dash, Marker, Role, Series, Style};
+pub use significance::{SignificanceCurve, SignificanceData};
 
 use crate::catalogue::Catalogue;
 use crate::language::Language;

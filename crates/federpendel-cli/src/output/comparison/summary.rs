@@ -2,13 +2,13 @@
 
 use std::io::{self, Write};
 
-use console::{Alignment, measure_text_width, pad_str, style as typeset};
+use console::style as typeset;
 use federpendel::Outcome;
 use federpendel_text::plot::Plot;
 
 use super::super::Style;
 use super::super::plot::write_terminal;
-use super::super::summary::{room, wrap};
+use super::super::summary::{room, wrap, write_columns};
 use crate::comparison::{Candidate, Compared, Comparison, Measured};
 
 /// Digits of a number in the table.
@@ -34,10 +34,9 @@ pub(super) fn write(
         writeln!(out, "{line}")?;
     }
     writeln!(out)?;
-    let head = Row::head(style);
-    let rows: Vec<_> =
-        comparison.methods.iter().map(|compared| Row::new(compared, style)).collect();
-    write_rows(&head, &rows, columns, out)?;
+    let head = head(style);
+    let rows: Vec<_> = comparison.methods.iter().map(|compared| row(compared, style)).collect();
+    write_columns(&head, &rows, &[1, 4, 5], columns, out)?;
     writeln!(out, "  {}", typeset(style.catalogue.text("compare-order-note")).dim())?;
     failures(comparison, style, columns, out)?;
     if style.details {
@@ -78,44 +77,40 @@ fn range(comparison: &Comparison, style: Style<'_>) -> Option<String> {
     ))
 }
 
-/// A row of the table: the method, its largest error, its order, what it does at rest, steps, run time.
-struct Row([String; 6]);
+/// The table: the method, its largest error, its order, what it does at rest, steps, run time.
+fn head(style: Style<'_>) -> [String; 6] {
+    let ids = [
+        "compare-head-method",
+        "compare-head-error",
+        "compare-head-order",
+        "compare-head-rest",
+        "compare-head-steps",
+        "compare-head-time",
+    ];
+    ids.map(|id| style.catalogue.text(id))
+}
 
-impl Row {
-    fn head(style: Style<'_>) -> Self {
-        let ids = [
-            "compare-head-method",
-            "compare-head-error",
-            "compare-head-order",
-            "compare-head-rest",
-            "compare-head-steps",
-            "compare-head-time",
-        ];
-        Row(ids.map(|id| style.catalogue.text(id)))
-    }
-
-    fn new(compared: &Compared, style: Style<'_>) -> Self {
-        let catalogue = style.catalogue;
-        let name = compared.candidate.name().to_owned();
-        let Ok(measured) = &compared.found else {
-            let none = || "–".to_owned();
-            return Row([name, catalogue.text("compare-failed"), none(), none(), none(), none()]);
-        };
-        let declared = compared.candidate.order().map(|order| order.to_string());
-        let observed = measured.ladder.order().map(|order| decimal(order, style));
-        let order = match (declared, observed) {
-            (Some(declared), Some(observed)) => format!("{declared} → {observed}"),
-            (Some(declared), None) => format!("{declared} → ?"),
-            _ => "–".to_owned(),
-        };
-        let steps = match measured.errors.steps {
-            0 => "–".to_owned(),
-            steps => steps.to_string(),
-        };
-        let time = catalogue.quantity(measured.run_time.as_secs_f64(), "s", 2);
-        let error = catalogue.quantity(measured.errors.largest, "m", DIGITS);
-        Row([name, error, order, at_rest(measured, style), steps, time])
-    }
+fn row(compared: &Compared, style: Style<'_>) -> [String; 6] {
+    let catalogue = style.catalogue;
+    let name = compared.candidate.name().to_owned();
+    let Ok(measured) = &compared.found else {
+        let none = || "–".to_owned();
+        return [name, catalogue.text("compare-failed"), none(), none(), none(), none()];
+    };
+    let declared = compared.candidate.order().map(|order| order.to_string());
+    let observed = measured.ladder.order().map(|order| decimal(order, style));
+    let order = match (declared, observed) {
+        (Some(declared), Some(observed)) => format!("{declared} → {observed}"),
+        (Some(declared), None) => format!("{declared} → ?"),
+        _ => "–".to_owned(),
+    };
+    let steps = match measured.errors.steps {
+        0 => "–".to_owned(),
+        steps => steps.to_string(),
+    };
+    let time = catalogue.quantity(measured.run_time.as_secs_f64(), "s", 2);
+    let error = catalogue.quantity(measured.errors.largest, "m", DIGITS);
+    [name, error, order, at_rest(measured, style), steps, time]
 }
 
 /// What the method does where the mass rests.
@@ -138,31 +133,6 @@ fn decimal(order: f64, style: Style<'_>) -> String {
     // Adding zero turns −0.0 into 0.0.
     let order = (10.0 * order).round() / 10.0 + 0.0;
     format!("{order:.1}").replace('.', &sign).replace('-', "−")
-}
-
-/// The rows as columns; the last ones are left out where the terminal is too narrow for them.
-fn write_rows(head: &Row, rows: &[Row], columns: usize, out: &mut dyn Write) -> io::Result<()> {
-    let width = |column: usize| {
-        let cells = rows.iter().chain([head]).map(|row| measure_text_width(&row.0[column]));
-        cells.max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..head.0.len()).map(width).collect();
-    let mut shown = 0;
-    let mut used = 0;
-    while shown < widths.len() && used + 2 + widths[shown] <= columns.max(40) {
-        used += 2 + widths[shown];
-        shown += 1;
-    }
-    let line = |row: &Row| {
-        let cells = row.0.iter().zip(&widths).take(shown).enumerate();
-        let cells = cells.map(|(column, (cell, width))| {
-            let side = if matches!(column, 1 | 4 | 5) { Alignment::Right } else { Alignment::Left };
-            format!("  {}", pad_str(cell, *width, side, None))
-        });
-        cells.collect::<String>().trim_end().to_owned()
-    };
-    writeln!(out, "{}", typeset(line(head)).dim())?;
-    rows.iter().try_for_each(|row| writeln!(out, "{}", line(row)))
 }
 
 /// Why methods failed, and why some have no order; methods with one reason in one sentence.
