@@ -145,7 +145,7 @@ fn unknown_words() {
         assert_eq!(status, Some(2));
         assert!(
             err.contains(
-                near.unwrap_or("simulate, compare, article, fit, score, completions, man")
+                near.unwrap_or("simulate, compare, article, fit, plan, score, completions, man")
             ),
             "{err}"
         );

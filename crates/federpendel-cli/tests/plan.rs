@@ -47,7 +47,6 @@ fn a_recording_as_planned_shows_what_was_promised() {
     assert_eq!(recorded.status, Some(0), "{}", recorded.err);
     let laws = ["fit", "r.csv", "--format", "json", "--laws", "stokes,newton"];
     let fit: Value = serde_json::from_str(&workplace.run(&laws).out).expect("JSON");
-    let fit = &fit["fits"][0];
     assert_eq!(fit["verdict"]["laws"], plan["advice"]["laws"]);
     for law in plan["laws"].as_array().expect("laws") {
         let found = &fit["parameters"][law["parameter"].as_str().expect("a name")];
