@@ -21,7 +21,7 @@ use federpendel_text::{Catalogue, Language};
 
 use crate::experiment::Field;
 use crate::failure::Failure;
-pub use crate::output::{ComparisonPicture, Dialect, Format, MotionPicture};
+pub use crate::output::{ComparisonPicture, Dialect, FitPicture, Format, MotionPicture};
 pub use crate::record::Method;
 
 /// What pictures can be drawn on.
@@ -154,6 +154,8 @@ pub struct Fit {
     pub sigma: Option<String>,
     /// Whether intervals come from profiles.
     pub profile: bool,
+    /// What pictures show.
+    pub picture: FitPicture,
     /// Where results go.
     pub results: Results,
 }
@@ -322,6 +324,9 @@ fn fit(matches: &ArgMatches) -> Fit {
         to: text(matches, "to"),
         sigma: text(matches, "sigma"),
         profile: matches.get_flag("profile"),
+        picture: text(matches, "plot")
+            .and_then(|name| FitPicture::named(&name))
+            .unwrap_or_default(),
         results: results(matches),
     }
 }

@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
         }
         None => {}
     }
-    output::write_fits(&fitted, &targets, catalogue)
+    output::write_fits(&fitted, arguments.picture, &targets, catalogue)
 }
 
 /// All recordings of a file, fitted.

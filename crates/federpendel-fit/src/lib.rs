@@ -51,6 +51,7 @@ pub mod recording;
 pub mod report;
 mod start;
 mod stop;
+mod swings;
 mod unit;
 pub mod window;
 
@@ -65,4 +66,5 @@ pub use reach::Reach;
 pub use recording::{Quantity, Recording};
 pub use report::{FitReport, Model, Parameter};
 pub use stop::Rest;
+pub use swings::Swing;
 pub use window::{Edge, Window};

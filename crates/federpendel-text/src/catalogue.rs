@@ -97,11 +97,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/check.ftl")),
             include_str!(concat!("../locales/", $folder, "/sketch.ftl")),
             include_str!(concat!("../locales/", $folder, "/fit.ftl")),
+            include_str!(concat!("../locales/", $folder, "/measured.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 6] {
+fn sources(language: Language) -> [&'static str; 7] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

@@ -1,13 +1,24 @@
-//! What is said of a recording and of its fit: why it is refused, how it was read, what acts.
+//! What is said of a recording and of its fit: why it is refused, how it was read, what acts; and the report of it.
 
+mod decrement;
 mod fitted;
+mod method;
+mod mixes;
 mod note;
+mod reading;
 mod refused_file;
 mod refused_fit;
+mod report;
+mod result;
+mod summary;
+mod uncertainty;
 mod verdict;
+mod writer;
 
 pub use fitted::Fitted;
 pub use note::{edge, read_note};
 pub use refused_file::read_error;
 pub use refused_fit::fit_error;
+pub use report::document;
 pub use verdict::sentences;
+pub use writer::parameter_name;

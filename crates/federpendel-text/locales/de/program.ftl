@@ -601,7 +601,7 @@ plot-residuals-description = Was die Anpassung übrig lässt, mit einem quadrati
 cli-fit = Aufzeichnungen einer freien Schwingung anpassen: welche Reibung wirkt, wie stark, wie sicher
 cli-fit-examples =
     Beispiele:
-      federpendel fit aufzeichnung.csv
+      federpendel fit aufzeichnung.csv -o bericht.html
       federpendel fit phyphox.zip --value "Acceleration y" --details
       federpendel fit *.txt --format json > anpassungen.json
       federpendel fit aufzeichnung.csv --laws stokes,coulomb -o anpassung.svg -o anpassung.json

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Arg, ArgAction, Command, value_parser};
 use federpendel_text::Catalogue;
 
-use super::{choice, common, details, file, usage};
-use crate::args::QUANTITIES;
+use super::{choice, common, details, file, picture, usage};
+use crate::args::{FitPicture, QUANTITIES};
 use crate::output::Format;
 
 pub(super) fn fit(catalogue: &Catalogue) -> Command {
@@ -53,6 +53,7 @@ fn options(catalogue: &Catalogue) -> Vec<Arg> {
             .long("profile")
             .action(ArgAction::SetTrue)
             .help(catalogue.text("cli-fit-profile")),
+        picture(FitPicture::ALL.map(FitPicture::name), "cli-plot-fit", catalogue),
         details("cli-details", catalogue),
     ];
     arguments.into_iter().map(|arg| arg.help_heading(heading.clone())).collect()

@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 use std::io::{self, Write};
 
 use federpendel_fit::Parameter;
-use federpendel_report::recording::{Fitted, edge, sentences};
+use federpendel_report::recording::{Fitted, edge, parameter_name, sentences};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
 use super::super::summary::{Table, room, wrap};
 use super::super::targets::Targets;
+use super::Picture;
 
 /// Rows besides the picture.
 const ROWS_BESIDES: usize = 16;
@@ -19,13 +20,13 @@ const FEWEST_ROWS: usize = 14;
 
 pub(super) fn write(
     fit: &Fitted,
+    picture: Picture,
     targets: &Targets,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (columns, rows) = room(ROWS_BESIDES);
-    let [plot, _] = fit.plots(catalogue);
-    write_terminal(&plot, (columns, rows.max(FEWEST_ROWS)), out)?;
+    write_terminal(&picture.on_terminal(fit, catalogue), (columns, rows.max(FEWEST_ROWS)), out)?;
     for line in sentences(fit, catalogue).iter().flat_map(|sentence| wrap(sentence, columns)) {
         writeln!(out, "{line}")?;
     }
@@ -63,20 +64,6 @@ fn table<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
     }
     table.row("fit-row-residual", catalogue.quantity(model.rms, &report.unit, 3));
     table
-}
-
-/// The sentence that names a parameter.
-fn parameter_name(parameter: &Parameter) -> &'static str {
-    match parameter.name {
-        "angular_frequency" => "fit-parameter-angular-frequency",
-        "damping_rate" => "fit-parameter-damping-rate",
-        "coulomb_acceleration" => "fit-parameter-coulomb-acceleration",
-        "newton_rate" => "fit-parameter-newton-rate",
-        "position0" => "fit-parameter-position0",
-        "velocity0" => "fit-parameter-velocity0",
-        "static_acceleration" => "fit-parameter-static-acceleration",
-        _ => "fit-parameter-equilibrium",
-    }
 }
 
 /// A value and its standard error, where both are known.
