@@ -27,7 +27,7 @@ use federpendel_text::{Catalogue, Language};
 
 use crate::experiment::Field;
 use crate::failure::Failure;
-pub use crate::output::{ComparisonPicture, Dialect, Format, MotionPicture};
+pub use crate::output::{ComparisonPicture, Dialect, FitPicture, Format, MotionPicture};
 pub use crate::record::Method;
 
 /// What pictures can be drawn on.

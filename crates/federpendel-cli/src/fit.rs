@@ -53,7 +53,7 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
         return Err(fits.failed.remove(0).failure);
     }
     if !fits.fitted.is_empty() {
-        output::write_fits(&fits, &targets, catalogue)?;
+        output::write_fits(&fits, arguments.picture, &targets, catalogue)?;
     }
     complete(&fits, catalogue)
 }

@@ -17,6 +17,7 @@ pub(crate) use article::ArticleReport;
 pub(crate) use comparison::ComparisonReport;
 pub use comparison::Picture as ComparisonPicture;
 pub use csv::Dialect;
+pub use fit::Picture as FitPicture;
 pub(crate) use fit::write_fits;
 pub(crate) use motion::MotionReport;
 pub use motion::Picture as MotionPicture;
@@ -58,7 +59,8 @@ impl Format {
     /// The forms that a file with a report can have.
     pub const OF_REPORTS: [Format; 2] = [Format::Json, Format::Html];
     /// The forms that a file with fits can have.
-    pub const OF_FITS: [Format; 4] = [Format::Json, Format::Csv, Format::Svg, Format::Png];
+    pub const OF_FITS: [Format; 5] =
+        [Format::Json, Format::Html, Format::Csv, Format::Svg, Format::Png];
     /// The forms of a report on standard output.
     pub const REPORTS_ON_STDOUT: [Format; 2] = [Format::Summary, Format::Json];
 

@@ -135,6 +135,37 @@ fn the_summary_says_the_verdict_in_both_languages() {
 }
 
 #[test]
+fn one_call_writes_report_json_and_picture() {
+    let workplace = Workplace::new();
+    workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);
+    let outputs = ["-o", "r.html", "-o", "r.json", "-o", "r.svg", "--plot", "decrement"];
+    let finished = workplace.run(&[&["fit", "r.csv", "--lang", "de"], &outputs[..]].concat());
+    assert_eq!(finished.status, Some(0), "{}", finished.err);
+    let text = |name: &str| String::from_utf8_lossy(&workplace.read(name)).into_owned();
+    let page = text("r.html");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<html lang=\"de\">"));
+    assert!(page.contains("Welche Reibung wirkt in r.csv?") && page.contains("0,19"));
+    serde_json::from_str::<Value>(&text("r.json")).expect("JSON");
+    for picture in [text("r.svg"), finished.out] {
+        assert!(picture.contains("Achsenabschnitt 2f"), "{picture}");
+    }
+}
+
+#[test]
+fn many_recordings_stand_on_one_page() {
+    let workplace = Workplace::new();
+    for (seed, name) in [("1", "a.csv"), ("2", "b.csv")] {
+        workplace.run(&["simulate", "--noise", "1 mm", "--seed", seed, "-o", name]);
+    }
+    let finished = workplace.run(&["fit", "a.csv", "b.csv", "-o", "r.html"]);
+    assert_eq!(finished.status, Some(0), "{}", finished.err);
+    let page = String::from_utf8_lossy(&workplace.read("r.html")).into_owned();
+    // The number stays on the line of what it counts.
+    assert!(page.contains("Which friction acts in 2\u{a0}recordings?"));
+    assert!(page.contains("<a href=\"#recording-2\">b.csv</a>"), "{page}");
+}
+
+#[test]
 fn a_bad_file_does_not_stop_the_others() {
     let workplace = Workplace::new();
     workplace.run(&["simulate", "--noise", "1 mm", "-o", "r.csv"]);

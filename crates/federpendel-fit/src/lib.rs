@@ -60,6 +60,7 @@ pub mod report;
 mod shares;
 mod start;
 mod stop;
+mod swings;
 pub mod unit;
 pub mod window;
 
@@ -78,4 +79,5 @@ pub use reach::Reach;
 pub use recording::{Quantity, Recording};
 pub use report::{FitReport, Model, Parameter};
 pub use stop::Rest;
+pub use swings::Swing;
 pub use window::{Edge, Window};

@@ -3,6 +3,7 @@
 use federpendel::Mix;
 
 use crate::mixes::within;
+use crate::report::FitReport;
 use crate::start::{laws, mix};
 
 /// A mix with its sum of squares.
@@ -69,11 +70,8 @@ pub const LEVEL: f64 = 0.01;
 
 /// The verdict from the fits of all allowed mixes.
 pub fn verdict(candidates: &[Candidate], effective: f64) -> Option<Verdict> {
-    let rejected = |small: &Candidate| {
-        let against = candidates.iter().filter(|c| c.mix != small.mix && within(small.mix, c.mix));
-        against.into_iter().any(|large| p_value(small, large, effective) < LEVEL)
-    };
-    let left: Vec<&Candidate> = candidates.iter().filter(|c| !rejected(c)).collect();
+    let left: Vec<&Candidate> =
+        candidates.iter().filter(|c| !rejected(c, candidates, effective)).collect();
     let simplest =
         |c: &&Candidate| !left.iter().any(|other| other.mix != c.mix && within(other.mix, c.mix));
     let mut minimal: Vec<&Candidate> = left.iter().copied().filter(simplest).collect();
@@ -104,6 +102,29 @@ pub fn verdict(candidates: &[Candidate], effective: f64) -> Option<Verdict> {
         laws: [0, 1, 2].map(stands),
         p_values: [0, 1, 2].map(p),
     })
+}
+
+fn rejected(small: &Candidate, candidates: &[Candidate], effective: f64) -> bool {
+    rejection(small, candidates, effective).is_some_and(|p| p < LEVEL)
+}
+
+/// The least probability of a likelihood ratio as high as that of a larger mix, if `small` were
+/// right; none where there is no larger one.
+fn rejection(small: &Candidate, candidates: &[Candidate], effective: f64) -> Option<f64> {
+    let larger = candidates.iter().filter(|c| c.mix != small.mix && within(small.mix, c.mix));
+    larger.map(|large| p_value(small, large, effective)).reduce(f64::min)
+}
+
+impl FitReport {
+    /// With this probability a larger mix fits better by as much as the best of them does, if `mix`
+    /// were right; below [`LEVEL`] it is rejected. None for the largest mix, and for one that was
+    /// not fitted.
+    pub fn rejection(&self, mix: Mix) -> Option<f64> {
+        let candidate = |model: &crate::Model| Candidate { mix: model.mix, cost: model.chi_square };
+        let candidates: Vec<_> = self.models.iter().map(candidate).collect();
+        let small = candidates.iter().find(|candidate| candidate.mix == mix)?;
+        rejection(small, &candidates, self.effective_samples)
+    }
 }
 
 fn size(mix: Mix) -> usize {

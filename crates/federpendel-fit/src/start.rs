@@ -8,6 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::Quantity;
 use crate::extremes::Look;
 use crate::problem::{COULOMB, LAWS, Problem, Vector};
+use crate::swings::Swing;
 
 /// How fast the recorded quantity grows with the amplitude, in powers of ω0.
 pub fn per_length(quantity: Quantity, omega: f64) -> f64 {
@@ -40,23 +41,17 @@ pub fn mixes(allowed: Mix) -> Vec<Mix> {
 
 /// γ, a_c and κ from the loss of amplitude per swing, without any below zero.
 ///
-/// Peak to peak P, in which the unknown zero cancels, falls from swing to swing by
-/// 4f + (2πγ/ω0) Ā + (8/3) κ Ā² with Ā = (P + P')/4: the averaged laws of friction.
+/// A swing of amplitude A loses 2f + (πγ/ω0) A + (4/3) κ A²: the averaged laws of friction.
 pub fn coefficients(look: &Look, quantity: Quantity, omega: f64, allowed: Mix) -> [f64; 3] {
-    let scale = per_length(quantity, omega);
-    let peaks: Vec<f64> =
-        look.extremes.windows(2).map(|w| (w[1].value - w[0].value).abs() / scale).collect();
-    let rows: Vec<(f64, f64)> =
-        peaks.windows(2).map(|w| (w[0] - w[1], (w[0] + w[1]) / 4.0)).collect();
-    let columns = |mean: f64| {
-        Vector3::new(2.0 * PI / omega * mean, 4.0 / (omega * omega), 8.0 / 3.0 * mean * mean)
-    };
+    let swings = look.swings(quantity, omega);
+    let columns =
+        |mean: f64| Vector3::new(PI / omega * mean, 2.0 / (omega * omega), 4.0 / 3.0 * mean * mean);
     let mut best = (f64::INFINITY, [0.0; 3]);
     for subset in mixes(allowed) {
         let chosen = laws(subset);
         let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-        for &(loss, mean) in &rows {
-            let row = columns(mean);
+        for &Swing { amplitude, loss } in &swings {
+            let row = columns(amplitude);
             let row = Vector3::from_fn(|i, _| if chosen[i] { row[i] } else { 0.0 });
             matrix += row * row.transpose();
             right += row * loss;
@@ -66,7 +61,7 @@ pub fn coefficients(look: &Look, quantity: Quantity, omega: f64, allowed: Mix) -
         }
         let Some(found) = matrix.cholesky().map(|factor| factor.solve(&right)) else { continue };
         let error: f64 =
-            rows.iter().map(|&(loss, mean)| (loss - columns(mean).dot(&found)).powi(2)).sum();
+            swings.iter().map(|s| (s.loss - columns(s.amplitude).dot(&found)).powi(2)).sum();
         if error < best.0 && found.iter().all(|&c| c >= 0.0) {
             best = (error, [found[0], found[1], found[2]]);
         }

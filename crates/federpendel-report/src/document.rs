@@ -1,10 +1,16 @@
 //! A report as a person reads it from top to bottom, without a word of how it is laid out.
 //!
-//! Texts may hold formulas between dollar signs, in the notation of TeX: `the offset $f$`.
+//! Texts may hold formulas between dollar signs, in the notation of TeX: `the offset $f$`. A dollar sign that is none
+//! has a backslash before it, as [`literal`] puts it.
 
 use std::collections::BTreeSet;
 
 use federpendel_text::plot::Plot;
+
+/// What somebody else wrote, a file's name or a heading of its columns, as a text that means just that.
+pub fn literal(text: &str) -> String {
+    text.replace('$', r"\$")
+}
 
 /// A report.
 #[derive(Debug, Clone)]
@@ -112,11 +118,13 @@ pub struct Row {
     pub cells: Vec<String>,
     /// Name of what the first cell leads to, if it leads anywhere.
     pub target: Option<String>,
+    /// Whether it stands out among the others.
+    pub marked: bool,
 }
 
 impl From<Vec<String>> for Row {
     fn from(cells: Vec<String>) -> Self {
-        Row { cells, target: None }
+        Row { cells, target: None, marked: false }
     }
 }
 

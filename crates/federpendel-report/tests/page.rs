@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use federpendel_report::document::literal;
 use federpendel_report::html::{PageError, page};
 use federpendel_report::{Block, Claim, Document, Section, Verdict};
 use federpendel_text::{Catalogue, Language};
@@ -48,6 +49,16 @@ fn text_is_escaped_and_formulas_are_set() {
 }
 
 #[test]
+fn what_somebody_else_wrote_stays_what_it_is() {
+    for written in ["5 $", r"C:\$a$b", "$x_0$"] {
+        let text = format!("{} has $x$ in it", literal(written));
+        let page = paragraph(&text).expect("a page");
+        let expected = format!("<p>{written} has <math><mi>x</mi></math> in it</p>");
+        assert!(page.contains(&expected), "{page}");
+    }
+}
+
+#[test]
 fn the_name_of_the_page_has_no_markup() {
     assert!(paragraph("").expect("a page").contains("<title>a &lt; b: x0</title>"));
 }
@@ -62,8 +73,9 @@ fn a_decimal_comma_stands_within_one_number() {
 
 #[test]
 fn a_number_stays_on_the_line_of_its_unit() {
-    let page = paragraph("auf 0,5 m genau, 9,2 × 10⁻⁸ m, (3) und 2 3").expect("a page");
-    let expected = "auf 0,5\u{a0}m genau, 9,2\u{a0}×\u{a0}10⁻⁸\u{a0}m, (3) und 2 3";
+    let page = paragraph("auf 0,5 m genau, 9,2 × 10⁻⁸ m, 7 ± 2 m, (3) und 2 3").expect("a page");
+    let expected =
+        "auf 0,5\u{a0}m genau, 9,2\u{a0}×\u{a0}10⁻⁸\u{a0}m, 7\u{a0}±\u{a0}2\u{a0}m, (3) und 2 3";
     assert!(page.contains(expected), "{page}");
 }
 

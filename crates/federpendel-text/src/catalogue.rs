@@ -99,11 +99,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/fit.ftl")),
             include_str!(concat!("../locales/", $folder, "/physical.ftl")),
             include_str!(concat!("../locales/", $folder, "/plan.ftl")),
+            include_str!(concat!("../locales/", $folder, "/measured.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 8] {
+fn sources(language: Language) -> [&'static str; 9] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

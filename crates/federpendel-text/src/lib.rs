@@ -21,6 +21,7 @@ mod describe;
 mod error;
 mod excerpt;
 mod language;
+mod measured;
 mod number;
 pub mod plot;
 

@@ -37,30 +37,9 @@ impl Catalogue {
         join(number(self.language(), value / size, digits), unit)
     }
 
-    /// A measured value with its standard error in the unit `unit`, both rounded to two digits of the error: `0.304 ±
-    /// 0.010 m/s²`.
-    pub fn measured(&self, value: f64, error: f64, unit: &str) -> String {
-        let unit = typeset_unit(unit);
-        if !(error.is_finite() && error > 0.0 && value.is_finite()) {
-            return join(number(self.language(), value, 4), &unit);
-        }
-        // The larger of both leads: its power of ten serves both where they are very large or small.
-        let exponent = value.abs().max(error).log10().floor() as i32;
-        let power = if (-4..6).contains(&exponent) { 0 } else { exponent };
-        let scale = 10f64.powi(power);
-        let digit = (error / scale).log10().floor() as i32;
-        let decimals = (1 - digit).max(0) as usize;
-        let fixed = |value: f64| {
-            let text = format!("{:.decimals$}", value / scale);
-            localise(self.language(), text).replace('-', "−")
-        };
-        let both = format!("{} ± {}", fixed(value), fixed(error));
-        match (power, unit.is_empty()) {
-            (0, true) => both,
-            (0, false) => format!("{both} {unit}"),
-            (_, true) => format!("({both}) × 10{}", superscript(power)),
-            (_, false) => format!("({both}) × 10{} {unit}", superscript(power)),
-        }
+    /// `value` with so many decimals, zeros at the end included.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        fixed(self.language(), value, decimals)
     }
 
     /// `value` with all its digits (the shortest that give back the same number) and the SI unit:
@@ -135,6 +114,14 @@ fn round(value: f64, digits: usize) -> f64 {
     format!("{:.*e}", digits.max(1) - 1, value).parse().unwrap_or(value)
 }
 
+pub(crate) fn fixed(language: Language, value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    // What is rounded to zero has no sign.
+    let nothing = text.bytes().all(|sign| !sign.is_ascii_digit() || sign == b'0');
+    let text = if nothing { text.trim_start_matches('-').to_owned() } else { text };
+    localise(language, text).replace('-', "−")
+}
+
 /// A decimal number without the zeros at its end.
 fn trim(number: &str) -> &str {
     if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
@@ -144,7 +131,7 @@ pub(crate) fn localise(language: Language, number: String) -> String {
     number.replace('.', &language.decimal_sign().to_string())
 }
 
-fn join(number: String, unit: &str) -> String {
+pub(crate) fn join(number: String, unit: &str) -> String {
     let unit = typeset_unit(unit);
     if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
@@ -164,19 +151,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn measured_values_have_two_digits_of_their_error() {
-        let [english, german] = Language::ALL.map(Catalogue::new);
-        for (value, error, expected) in [
-            (0.30412, 0.0099, "0.3041 ± 0.0099 m/s²"),
-            (0.30412, 0.01, "0.304 ± 0.010 m/s²"),
-            (12.3456, 2.34, "12.3 ± 2.3 m/s²"),
-            (-1234.5, 56.0, "−1234 ± 56 m/s²"),
-            (3.2e-7, 1.1e-8, "(3.20 ± 0.11) × 10⁻⁷ m/s²"),
-            (0.5, f64::NAN, "0.5 m/s²"),
-        ] {
-            assert_eq!(english.measured(value, error, "m/s^2"), expected);
+    fn decimals_are_fixed_and_nothing_has_no_sign() {
+        let german = Catalogue::new(Language::German);
+        for (value, expected) in
+            [(-0.8, "−0,80"), (-0.004, "0,00"), (12.345, "12,35"), (0.0, "0,00")]
+        {
+            assert_eq!(german.fixed(value, 2), expected);
         }
-        assert_eq!(german.measured(0.30412, 0.01, "m/s^2"), "0,304 ± 0,010 m/s²");
     }
 
     #[test]

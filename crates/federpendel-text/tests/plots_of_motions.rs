@@ -5,7 +5,8 @@ use federpendel::{
 };
 use federpendel_text::plot::draw::{Background, Size, png, svg, terminal};
 use federpendel_text::plot::{
-    Course, CoursesData, DecrementData, EnergyData, Losses, LossesData, PhaseData, Plot, Role,
+    AveragedLaw, Course, CoursesData, DecrementData, EnergyData, Losses, LossesData, PhaseData,
+    Plot, Role, swings,
 };
 use federpendel_text::{Catalogue, Language};
 
@@ -130,15 +131,13 @@ fn shares_of_the_energy_add_up_to_that_of_the_release() {
     }
 }
 
-fn decrement(language: Language, motion: &Motion, swings: usize) -> Plot {
+fn decrement(language: Language, motion: &Motion, count: usize) -> Plot {
     let release = std::iter::once(motion.release().position);
     let turns = motion.turning_points().map(|point| point.position);
-    let amplitudes: Vec<f64> = release.chain(turns).take(swings + 1).collect();
-    let oscillator = motion.oscillator();
-    Plot::decrement(
-        &Catalogue::new(language),
-        &DecrementData { oscillator, amplitudes: &amplitudes },
-    )
+    let amplitudes: Vec<f64> = release.chain(turns).take(count + 1).collect();
+    let law = AveragedLaw::of(motion.oscillator());
+    let data = DecrementData { law, swings: &swings(&amplitudes), mean_of: 1, length: "m" };
+    Plot::decrement(&Catalogue::new(language), &data)
 }
 
 #[test]
@@ -152,7 +151,7 @@ fn swings_lie_on_the_averaged_law() {
         "Gemitteltes Gesetz ΔA = 2f + (πγ/ω₀) A + (4/3) κ A²",
         "Achsenabschnitt 2f = 981 µm (Coulomb)",
         "Steigung πγ/ω₀ = 0,02484 (Stokes)",
-        "Krümmung (4/3)κ = 0,6267 m⁻¹ (Newton)",
+        "Krümmung (4/3)κ = 0,6267 1/m (Newton)",
     ];
     assert_eq!(names, expected);
     // Where the losses are small the real ones follow the law to second order.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use federpendel_fit::{Intervals, Loss, Quantity};
 
-use super::{Beside, Results, results, text};
+use super::{Beside, FitPicture, Results, results, text};
 use crate::fit::{INTERVALS, LOSSES};
 
 /// What a recording can hold, by the names on the command line.
@@ -48,6 +48,8 @@ pub struct Fit {
     pub loss: Loss,
     /// What was measured beside the recordings.
     pub beside: Beside,
+    /// What pictures show.
+    pub picture: FitPicture,
     /// Where results go.
     pub results: Results,
 }
@@ -70,6 +72,9 @@ impl Fit {
             intervals: named(matches, "intervals", &INTERVALS).unwrap_or_default(),
             loss: named(matches, "loss", &LOSSES).unwrap_or_default(),
             beside: Beside::new(matches),
+            picture: text(matches, "plot")
+                .and_then(|name| FitPicture::named(&name))
+                .unwrap_or_default(),
             results: results(matches),
         }
     }

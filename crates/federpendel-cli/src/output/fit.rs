@@ -3,10 +3,15 @@
 mod csv;
 mod details;
 mod names;
+mod picture;
 mod summary;
+
+pub use picture::Picture;
 
 use std::io::{self, Write};
 
+use federpendel_report::html;
+use federpendel_report::recording::document;
 use federpendel_text::Catalogue;
 
 use super::targets::Targets;
@@ -18,6 +23,7 @@ pub(super) use names::{law_names, quantity_name, stop_name};
 /// Writes fits to all targets: the files appear together and whole, then standard output.
 pub(crate) fn write_fits(
     fits: &Fits,
+    picture: Picture,
     targets: &Targets,
     catalogue: &Catalogue,
 ) -> Result<(), Failure> {
@@ -26,7 +32,8 @@ pub(crate) fn write_fits(
         let variables = [("count", fits.fitted.len().into())];
         return Err(Failure::Input(catalogue.format("fit-pictures-of-one", &variables)));
     }
-    let render = |format, out: &mut dyn Write| render(fits, format, targets, catalogue, out);
+    let render =
+        |format, out: &mut dyn Write| render(fits, format, (picture, targets), catalogue, out);
     whole::write(&targets.files, catalogue, render)?;
     say_written(targets, catalogue);
     to_stdout(|out| render(targets.stdout, out), catalogue)
@@ -35,22 +42,25 @@ pub(crate) fn write_fits(
 fn render(
     fits: &Fits,
     format: Format,
-    targets: &Targets,
+    (picture, targets): (Picture, &Targets),
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match (format, &fits.fitted[..]) {
         (Format::Svg | Format::Png, [fit]) => {
-            let [mut plot, residuals] = fit.plots(catalogue);
-            plot.lens = Some(Box::new(residuals));
-            plot::write(&plot, format, targets.background, out)
+            plot::write(&picture.plot(fit, catalogue), format, targets.background, out)
+        }
+        (Format::Html, _) => {
+            // Only a mistake in the catalogue or the template can fail here, which tests have found.
+            let page = html::page(&document(&fits.fitted, catalogue), catalogue);
+            out.write_all(page.map_err(io::Error::other)?.as_bytes())
         }
         (Format::Json, _) => json::write_fits(fits, catalogue, out),
         (Format::Csv, fitted) => csv::write(fitted, targets.dialect, catalogue, out),
-        (Format::Summary, [fit]) => summary::write(fit, targets, catalogue, out),
-        (Format::Summary, many) => {
-            many.iter().try_for_each(|fit| summary::write_short(fit, targets, catalogue, out))
-        }
+        (Format::Summary, [fit]) => summary::write(fit, picture, targets, catalogue, out),
+        (Format::Summary, many) => many
+            .iter()
+            .try_for_each(|fit| summary::write_short(fit, picture, targets, catalogue, out)),
         _ => Err(io::ErrorKind::Unsupported.into()),
     }
 }

@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use federpendel::even_times;
 use federpendel::{Sample, State};
 use federpendel_text::Catalogue;
-use federpendel_text::plot::{DecrementData, EnergyData, MotionData, PhaseData, Plot};
+use federpendel_text::plot::{
+    AveragedLaw, DecrementData, EnergyData, MotionData, PhaseData, Plot, swings,
+};
 
 use super::summary::{self, Noise};
 use super::{Format, Report, Style, csv, json, plot};
@@ -153,8 +155,9 @@ fn decrement(record: &Record, catalogue: &Catalogue) -> Plot {
     let release = (velocity == 0.0).then_some(position.abs());
     let turns = record.turning_points().map(|point| point.position.abs());
     let amplitudes: Vec<f64> = release.into_iter().chain(turns).take(MOST_SWINGS).collect();
-    let oscillator = record.motion.oscillator();
-    Plot::decrement(catalogue, &DecrementData { oscillator, amplitudes: &amplitudes })
+    let law = AveragedLaw::of(record.motion.oscillator());
+    let data = DecrementData { law, swings: &swings(&amplitudes), mean_of: 1, length: "m" };
+    Plot::decrement(catalogue, &data)
 }
 
 /// Most swings that the decrement plot takes in.

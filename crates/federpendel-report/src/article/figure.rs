@@ -3,7 +3,8 @@
 use federpendel::article::Formula;
 use federpendel::{Result, TurningPoint, even_times, lens};
 use federpendel_text::plot::{
-    DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData, Plot,
+    AveragedLaw, DecrementData, ErrorsData, MethodCurve, MethodErrors, MotionData, OverlayData,
+    Plot, swings,
 };
 
 use super::Case;
@@ -172,10 +173,9 @@ pub fn motion(writer: &Writer<'_>, case: &Case) -> Result<Plot> {
 
 /// What each swing loses.
 pub fn decrement(writer: &Writer<'_>, case: &Case) -> Plot {
-    Plot::decrement(
-        writer.catalogue,
-        &DecrementData { oscillator: case.oscillator(), amplitudes: &amplitudes(case) },
-    )
+    let law = AveragedLaw::of(case.oscillator());
+    let data = DecrementData { law, swings: &swings(&amplitudes(case)), mean_of: 1, length: "m" };
+    Plot::decrement(writer.catalogue, &data)
 }
 
 /// Displacements at the turning points within the record, the release first if it is one, m.

@@ -8,6 +8,9 @@ use super::PageError;
 /// What must not begin a line by itself, behind a formula.
 const CLOSING: [char; 6] = [')', ',', '.', ':', ';', '!'];
 
+/// Stands for a dollar sign that begins no formula while the formulas are looked for; no text holds it.
+const DOLLAR: &str = "\u{0}";
+
 /// A text that is HTML already.
 pub type Html = Value;
 
@@ -42,7 +45,8 @@ impl Typesetter {
     }
 
     fn markup(&self, text: &str) -> Result<String, PageError> {
-        let pieces: Vec<_> = text.split('$').collect();
+        let marked = text.replace(r"\$", DOLLAR);
+        let pieces: Vec<_> = marked.split('$').collect();
         if pieces.len() % 2 == 0 {
             return Err(PageError::Dollar(text.to_owned()));
         }
@@ -62,7 +66,7 @@ impl Typesetter {
                 };
             }
         }
-        Ok(markup)
+        Ok(markup.replace(DOLLAR, "$"))
     }
 
     fn mathml(&self, tex: &str, display: MathDisplay) -> Result<String, PageError> {
@@ -73,17 +77,19 @@ impl Typesetter {
     }
 }
 
-/// `text` with every number on the line of its unit and of its power of ten.
+/// `text` with every number on the line of its unit, of its power of ten and of its error.
 fn unbroken(text: &str) -> String {
     let mut before = None;
     let mut signs = text.chars().peekable();
     let mut unbroken = String::with_capacity(text.len());
     while let Some(sign) = signs.next() {
         let joins = match before {
-            Some('×') => true,
+            Some('×' | '±') => true,
             Some(last) => {
                 last.is_numeric()
-                    && signs.peek().is_some_and(|next| next.is_alphabetic() || *next == '×')
+                    && signs
+                        .peek()
+                        .is_some_and(|next| next.is_alphabetic() || matches!(next, '×' | '±'))
             }
             None => false,
         };

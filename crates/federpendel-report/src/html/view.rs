@@ -54,6 +54,7 @@ enum Piece {
 #[derive(Serialize)]
 struct Line {
     target: Option<String>,
+    marked: bool,
     cells: Vec<Html>,
 }
 
@@ -170,7 +171,8 @@ impl Writer<'_> {
     }
 
     fn line(&self, row: &Row) -> Result<Line, PageError> {
-        Ok(Line { target: row.target.clone(), cells: self.texts(&row.cells)? })
+        let (target, marked) = (row.target.clone(), row.marked);
+        Ok(Line { target, marked, cells: self.texts(&row.cells)? })
     }
 
     fn claim(&self, claim: &Claim) -> Result<Assertion, PageError> {

@@ -74,10 +74,7 @@ pub(super) fn value(catalogue: &Catalogue, number: &Estimate) -> String {
     if let Some(value) = number.value {
         return catalogue.measured(value, number.stderr.unwrap_or(f64::NAN), number.unit);
     }
-    let end = |end: Option<f64>, open: &str| {
-        end.map_or_else(|| open.to_owned(), |end| catalogue.quantity(end, number.unit, 4))
-    };
-    format!("{} … {}", end(number.interval95.0, "0"), end(number.interval95.1, "∞"))
+    catalogue.interval(number.interval95, f64::NAN, f64::NAN, number.unit)
 }
 
 /// “2.3 % more (35 standard deviations)”.

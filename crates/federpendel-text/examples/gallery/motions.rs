@@ -4,7 +4,9 @@ use federpendel::{
     Coulomb, Friction, Motion, Newton, NormalForce, Oscillator, State, Stokes, TurningPoint,
 };
 use federpendel_text::Catalogue;
-use federpendel_text::plot::{DecrementData, EnergyData, MotionData, PhaseData, Plot};
+use federpendel_text::plot::{
+    AveragedLaw, DecrementData, EnergyData, MotionData, PhaseData, Plot, swings,
+};
 
 use super::Drawn;
 
@@ -71,8 +73,8 @@ pub fn plots(catalogue: &Catalogue) -> Drawn {
             let release = (case.3 == 0.0).then_some(case.2);
             let turns = record.turning_points.iter().map(|point| point.position);
             let amplitudes: Vec<_> = release.into_iter().chain(turns).collect();
-            let oscillator = record.motion.oscillator();
-            let data = DecrementData { oscillator, amplitudes: &amplitudes };
+            let law = AveragedLaw::of(record.motion.oscillator());
+            let data = DecrementData { law, swings: &swings(&amplitudes), mean_of: 1, length: "m" };
             add("decrement", Plot::decrement(catalogue, &data));
         }
     }

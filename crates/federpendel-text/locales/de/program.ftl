@@ -601,7 +601,7 @@ plot-residuals-description = Was die Anpassung übrig lässt, mit einem quadrati
 cli-fit = Aufzeichnungen einer freien Schwingung anpassen: welche Reibung wirkt, wie stark, wie sicher
 cli-fit-examples =
     Beispiele:
-      federpendel fit aufzeichnung.csv
+      federpendel fit aufzeichnung.csv -o bericht.html
       federpendel fit phyphox.zip --value "Acceleration y" --details
       federpendel fit *.txt --format json > anpassungen.json
       federpendel fit aufzeichnung.csv --laws stokes,coulomb -o anpassung.svg -o anpassung.json
@@ -665,4 +665,4 @@ fit-heading-correlations = Korrelationen ab { $floor }
 fit-unit-nameless = die der Aufzeichnung, die keine nennt
 fit-row-unit = Einheit u
 fit-row-chi = χ²
-fit-interval = { $value } (95 %: { $low } bis { $high })
+fit-interval = { $value } (95 %: { $interval })

@@ -601,7 +601,7 @@ plot-residuals-description = What the fit leaves, with a root mean square of { $
 cli-fit = Fit recordings of a free decay: which friction acts, how strongly, how surely
 cli-fit-examples =
     Examples:
-      federpendel fit recording.csv
+      federpendel fit recording.csv -o report.html
       federpendel fit phyphox.zip --value "Acceleration y" --details
       federpendel fit *.txt --format json > fits.json
       federpendel fit recording.csv --laws stokes,coulomb --from "1.2 s" -o fit.svg -o fit.json
@@ -665,4 +665,4 @@ fit-heading-correlations = Correlations of at least { $floor }
 fit-unit-nameless = of the recording, which names none
 fit-row-unit = unit u
 fit-row-chi = χ²
-fit-interval = { $value } (95 %: { $low } to { $high })
+fit-interval = { $value } (95 %: { $interval })

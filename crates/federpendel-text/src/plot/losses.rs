@@ -2,7 +2,7 @@
 
 use federpendel::Oscillator;
 
-use super::decrement::{formula, law, parts, swings};
+use super::averaged::{AveragedLaw, curve, formula, swings};
 use super::{Axis, Dash, Marker, Plot, Role, Style};
 use crate::catalogue::Catalogue;
 use crate::describe::DIGITS;
@@ -56,12 +56,12 @@ impl Plot {
             let swings = swings(motion.amplitudes);
             let stride = swings.len().div_ceil(MOST_MARKERS).max(1);
             let reach = swings.iter().fold(0.0, |most: f64, swing| most.max(swing.0));
-            let parts = parts(catalogue, motion.oscillator);
+            let parts = AveragedLaw::of(motion.oscillator).parts(catalogue, "m");
             let name = format!("{}: {}", motion.name, formula(&parts));
             let style = Style::Markers(marker);
             plot.add(name, motion.role, style, swings.into_iter().step_by(stride));
             let style = Style::Line { dash, width: 1.0 };
-            plot.add("", motion.role, style, law(&parts, reach));
+            plot.add("", motion.role, style, curve(&parts, reach));
         }
         if largest == 0.0 {
             let text = catalogue.text("plot-decrement-empty");
@@ -77,13 +77,14 @@ fn description(catalogue: &Catalogue, data: &LossesData<'_>, title: &str) -> Str
     let motion = |motion: &Losses<'_>| {
         let swings = swings(motion.amplitudes);
         let losses = || swings.iter().map(|swing| swing.1);
+        let parts = AveragedLaw::of(motion.oscillator).parts(catalogue, "m");
         let variables = [
             ("name", motion.name.into()),
             ("swings", swings.len().into()),
             ("least", length(losses().reduce(f64::min))),
             ("most", length(losses().reduce(f64::max))),
             ("largest", length(swings.iter().map(|swing| swing.0).reduce(f64::max))),
-            ("formula", formula(&parts(catalogue, motion.oscillator)).into()),
+            ("formula", formula(&parts).into()),
         ];
         catalogue.format("plot-losses-motion", &variables)
     };

@@ -2,6 +2,7 @@
 //! knows nothing of pixels or terminals; [`draw`] turns it into a picture.
 
 mod after_rest;
+mod averaged;
 mod axis;
 mod beside;
 mod clip;
@@ -24,6 +25,7 @@ mod thin;
 mod ticks;
 mod work;
 
+pub use averaged::{AveragedLaw, swings};
 pub use axis::{Axis, Scale};
 pub use convergence::{ConvergenceData, MethodRungs};
 pub use courses::{Course, CoursesData};

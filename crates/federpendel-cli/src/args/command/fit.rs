@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Arg, Command, value_parser};
 use federpendel_text::Catalogue;
 
-use super::{beside, choice, common, details, file, usage};
-use crate::args::{DARK, LIGHT, QUANTITIES};
+use super::{beside, choice, common, details, file, picture, usage};
+use crate::args::{DARK, FitPicture, LIGHT, QUANTITIES};
 use crate::fit::{INTERVALS, LOSSES};
 use crate::output::{Dialect, Format};
 
@@ -61,6 +61,7 @@ fn options(catalogue: &Catalogue) -> Vec<Arg> {
         choice("csv-dialect", Dialect::ALL.map(Dialect::name), catalogue)
             .help(catalogue.text("cli-csv-dialect")),
         choice("theme", [LIGHT, DARK], catalogue).help(catalogue.text("cli-theme")),
+        picture(FitPicture::ALL.map(FitPicture::name), "cli-plot-fit", catalogue),
         details("cli-details", catalogue),
     ];
     arguments.into_iter().map(|arg| arg.help_heading(heading.clone())).collect()

@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 
 use federpendel_fit::{Model, Parameter};
-use federpendel_report::recording::{Fitted, damping_rows, edge, stop_reason};
+use federpendel_report::recording::{Fitted, damping_rows, edge, parameter_name, stop_reason};
 use federpendel_text::Catalogue;
 
 use super::super::summary::Table;
-use super::summary::{parameter_name, value};
+use super::summary::value;
 
 /// Correlations below this are not worth a line.
 const CORRELATED: f64 = 0.1;
@@ -15,24 +15,12 @@ const CORRELATED: f64 = 0.1;
 /// A value with its error and its 95 % interval.
 pub(super) fn with_interval(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
     let shown = value(fit, parameter, catalogue);
-    if parameter.value.is_none() {
-        return shown;
-    }
-    let (low, high) = interval(parameter, &fit.report.unit_of(parameter.name), catalogue);
-    let variables = [("value", shown.into()), ("low", low.into()), ("high", high.into())];
+    let Some(middle) = parameter.value else { return shown };
+    let unit = fit.report.unit_of(parameter.name);
+    let error = parameter.stderr.unwrap_or(f64::NAN);
+    let interval = catalogue.interval(parameter.interval95, middle, error, &unit);
+    let variables = [("value", shown.into()), ("interval", interval.into())];
     catalogue.format("fit-interval", &variables)
-}
-
-/// The ends of the 95 % interval.
-pub(super) fn interval(
-    parameter: &Parameter,
-    unit: &str,
-    catalogue: &Catalogue,
-) -> (String, String) {
-    let end = |value: Option<f64>, open: &str| {
-        value.map_or_else(|| open.to_owned(), |value| catalogue.quantity(value, unit, 4))
-    };
-    (end(parameter.interval95.0, "−∞"), end(parameter.interval95.1, "∞"))
 }
 
 /// Why the fitted part is what it is, the statistics, the correlations, the ranking of mixes.

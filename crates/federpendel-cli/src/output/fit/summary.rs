@@ -4,13 +4,15 @@ use std::io::{self, Write};
 
 use console::style;
 use federpendel_fit::{Parameter, damping};
-use federpendel_report::recording::{Fitted, physical_rows, physical_sentences, sentences};
+use federpendel_report::recording::{
+    Fitted, parameter_name, physical_rows, physical_sentences, sentences,
+};
 use federpendel_text::Catalogue;
 
 use super::super::plot::write_terminal;
 use super::super::summary::{Table, room, wrap};
 use super::super::targets::Targets;
-use super::details;
+use super::{Picture, details};
 
 /// Rows besides the picture.
 const ROWS_BESIDES: usize = 16;
@@ -21,14 +23,14 @@ const FEWEST_ROWS: usize = 14;
 /// Writes all about one fit.
 pub(super) fn write(
     fit: &Fitted,
+    picture: Picture,
     targets: &Targets,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let physical = physical_rows(fit, catalogue);
     let (columns, rows) = room(ROWS_BESIDES + physical.len());
-    let [plot, _] = fit.plots(catalogue);
-    write_terminal(&plot, (columns, rows.max(FEWEST_ROWS)), out)?;
+    write_terminal(&picture.on_terminal(fit, catalogue), (columns, rows.max(FEWEST_ROWS)), out)?;
     verdict(fit, columns, catalogue, out)?;
     writeln!(out)?;
     let mut table = about(fit, catalogue);
@@ -64,12 +66,13 @@ pub(super) fn write(
 /// Writes one fit of many: its name, the verdict, and the values that tell them apart.
 pub(super) fn write_short(
     fit: &Fitted,
+    picture: Picture,
     targets: &Targets,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     if targets.details {
-        return write(fit, targets, catalogue, out);
+        return write(fit, picture, targets, catalogue, out);
     }
     let (columns, _) = room(ROWS_BESIDES);
     writeln!(out, "{}", style(&fit.name).bold())?;
@@ -105,7 +108,8 @@ fn about<'a>(fit: &Fitted, catalogue: &'a Catalogue) -> Table<'a> {
     }
     let figures = damping(report);
     let frequency = figures.as_ref().map(|figures| figures.natural_frequency);
-    let ratio = figures.and_then(|figures| figures.damping_ratio);
+    let adequate = report.adequacy.adequate;
+    let ratio = figures.filter(|_| adequate).and_then(|figures| figures.damping_ratio);
     for (id, figure) in [("fit-row-frequency", frequency), ("fit-row-damping-ratio", ratio)] {
         if let Some((value, error)) = figure.and_then(|one| one.value.zip(one.stderr)) {
             table.row(id, catalogue.measured(value, error, figure.map_or("1", |one| one.unit)));
@@ -118,28 +122,12 @@ fn parameters(fit: &Fitted) -> &[Parameter] {
     fit.report.best().map_or(&[], |model| &model.parameters)
 }
 
-/// The sentence that names a parameter.
-pub(super) fn parameter_name(parameter: &Parameter) -> &'static str {
-    match parameter.name {
-        "angular_frequency" => "fit-parameter-angular-frequency",
-        "damping_rate" => "fit-parameter-damping-rate",
-        "coulomb_acceleration" => "fit-parameter-coulomb-acceleration",
-        "newton_rate" => "fit-parameter-newton-rate",
-        "position0" => "fit-parameter-position0",
-        "velocity0" => "fit-parameter-velocity0",
-        "static_acceleration" => "fit-parameter-static-acceleration",
-        _ => "fit-parameter-equilibrium",
-    }
-}
-
 /// A value with its error, or the interval that is all that is known.
 pub(super) fn value(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
     let unit = fit.report.unit_of(parameter.name);
+    let error = parameter.stderr.unwrap_or(f64::NAN);
     match parameter.value {
-        Some(value) => catalogue.measured(value, parameter.stderr.unwrap_or(f64::NAN), &unit),
-        None => {
-            let (low, high) = details::interval(parameter, &unit, catalogue);
-            format!("{low} … {high}")
-        }
+        Some(value) => catalogue.measured(value, error, &unit),
+        None => catalogue.interval(parameter.interval95, f64::NAN, error, &unit),
     }
 }
