@@ -60,10 +60,16 @@ pub struct Known {
 
 /// A random recording; `correlation` is that of neighbouring values of the noise.
 pub fn known(random: &mut Random, correlation: f64) -> Result<Known> {
+    known_of(random, correlation, None)
+}
+
+/// As [`known`], of so many samples.
+pub fn known_of(random: &mut Random, correlation: f64, samples: Option<usize>) -> Result<Known> {
     let bits = (random.unit() * 8.0) as u8;
     let mix = Mix { stokes: bits & 1 > 0, coulomb: bits & 2 > 0, newton: bits & 4 > 0 };
     let swings = random.scale(5.0, 60.0).round();
-    let samples = random.scale(300.0, 5000.0) as usize;
+    let drawn = random.scale(300.0, 5000.0) as usize;
+    let samples = samples.unwrap_or(drawn);
     let (omega, amplitude) = (random.scale(0.5, 50.0), random.scale(0.01, 10.0));
     let half = PI / omega;
     let mut weights = [mix.stokes, mix.coulomb, mix.newton]
