@@ -12,6 +12,7 @@ fn choice(bits: u8) -> Choice {
         time: asked(16, "1"),
         value: asked(1, "2"),
         quantity: (bits & 2 != 0).then_some(Quantity::Velocity),
+        unit: asked(32, "cm"),
         run: asked(4, "1"),
         table: None,
         rate: (bits & 8 != 0).then_some(100.0),

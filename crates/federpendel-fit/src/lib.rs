@@ -34,8 +34,11 @@
 
 pub mod adequacy;
 mod bootstrap;
+mod check;
+mod condense;
 mod covariance;
 pub mod damping;
+mod described;
 pub mod error;
 pub mod extremes;
 mod fit;

@@ -332,3 +332,31 @@ fn shares_are_those_of_averaging() {
         assert!((found - lost / total).abs() < 0.04, "{found} {lost} {total}");
     }
 }
+
+#[test]
+fn many_values_are_condensed_without_loss() {
+    // So many that means are fitted, and every fourth of them, which are fitted one by one.
+    let p = Parameters { coulomb_acceleration: 0.2, ..truth() };
+    let all = recorded(&p, even(10.0, 240_000), 0.02, 5);
+    let every_fourth = |values: &[f64]| values.iter().step_by(4).copied().collect();
+    let (times, values) = (every_fourth(&all.times), every_fourth(&all.values));
+    let some = fit(&Recording { times, values, ..all.clone() }, &Options::default()).expect("fits");
+    let all = fit(&all, &Options::default()).expect("fits");
+    assert_eq!(all.verdict.mix, some.verdict.mix);
+    assert_eq!(all.residuals.len(), all.samples);
+    assert!(all.window.end - all.window.first == all.samples && all.samples > 200_000);
+    let ratio = |of: fn(&federpendel_fit::FitReport) -> f64| of(&all) / of(&some);
+    assert!((ratio(|report| report.effective_samples) / 4.0 - 1.0).abs() < 0.1);
+    let best = |report: &federpendel_fit::FitReport| report.best().expect("a verdict").clone();
+    let (all, some) = (best(&all), best(&some));
+    assert!((all.rms / 0.02 - 1.0).abs() < 0.01 && (some.rms / 0.02 - 1.0).abs() < 0.01);
+    for (all, some) in all.parameters.iter().zip(&some.parameters) {
+        let (Some(one), Some(other)) = (all.stderr, some.stderr) else { continue };
+        assert!((other / one / 2.0 - 1.0).abs() < 0.1, "{}: {one} {other}", all.name);
+    }
+    for (name, truth) in [("damping_rate", 0.1), ("coulomb_acceleration", 0.2)] {
+        let found = all.parameter(name).expect("fitted");
+        let (value, stderr) = (found.value.expect("a value"), found.stderr.expect("an error"));
+        assert!((value - truth).abs() < 4.0 * stderr, "{name} {value} {stderr}");
+    }
+}

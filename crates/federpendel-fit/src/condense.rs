@@ -1,0 +1,100 @@
+//! Recordings with far more values than the motion needs: means of neighbours are fitted instead.
+//!
+//! The mean over a block of width h of a motion with frequency ω is smaller by (ωh)²/24 of it: with 400 blocks in
+//! a swing by 2.6e-6, far less than its standard error. The time of a block is the mean of its times.
+
+use crate::Recording;
+use crate::extremes::look;
+use crate::least_squares::Minimum;
+use crate::problem::Problem;
+use crate::window::Window;
+
+/// From so many values on a recording is condensed,
+const MANY: usize = 100_000;
+/// to at least so many in all,
+const KEPT: usize = 50_000;
+/// and so many in a swing.
+const IN_SWING: f64 = 400.0;
+
+/// A condensed recording.
+pub struct Condensed {
+    /// The means.
+    pub recording: Recording,
+    /// Index of the first value of each block, and that after the last.
+    starts: Vec<usize>,
+}
+
+/// The means of neighbours, if there are enough for that.
+pub fn condense(recording: &Recording) -> Option<Condensed> {
+    let (times, values) = (&recording.times, &recording.values);
+    let count = times.len();
+    if count < MANY {
+        return None;
+    }
+    let span = times[count - 1] - times[0];
+    let step = span / (count - 1) as f64;
+    let half = look(times, values).map_or(span / 2.0, |look| look.half);
+    let size = ((half / step / IN_SWING) as usize).min(count / KEPT);
+    if size < 2 {
+        return None;
+    }
+    let starts = blocks(times, size, 2.0 * step * size as f64);
+    let mean = |all: &[f64]| -> Vec<f64> {
+        let one = |pair: &[usize]| {
+            let block = &all[pair[0]..pair[1]];
+            block.iter().sum::<f64>() / block.len() as f64
+        };
+        starts.windows(2).map(one).collect()
+    };
+    let recording =
+        Recording { times: mean(times), values: mean(values), ..without_values(recording) };
+    Some(Condensed { recording, starts })
+}
+
+fn without_values(recording: &Recording) -> Recording {
+    let Recording { quantity, unit, .. } = recording;
+    Recording { times: vec![], values: vec![], quantity: *quantity, unit: unit.clone() }
+}
+
+/// Where blocks of `size` values begin, none of them with a gap in it that makes it longer than `longest`.
+fn blocks(times: &[f64], size: usize, longest: f64) -> Vec<usize> {
+    let mut starts = vec![0];
+    let mut first = 0;
+    for (i, time) in times.iter().enumerate() {
+        if i - first >= size || time - times[first] > longest {
+            starts.push(i);
+            first = i;
+        }
+    }
+    starts.push(times.len());
+    starts
+}
+
+impl Condensed {
+    /// All values of `recording` within a window of the means, and that window among them. It begins with the first
+    /// value after the first mean, whose time is that of the initial state.
+    pub fn whole(&self, recording: &Recording, window: &Window) -> (Whole, Window) {
+        let first = recording.times.partition_point(|time| *time < window.from);
+        let end = self.starts[window.end];
+        let times = std::iter::once(window.from).chain(recording.times[first..end].iter().copied());
+        let values = std::iter::once(0.0).chain(recording.values[first..end].iter().copied());
+        let problem = Problem::new(times.collect(), values.collect(), recording.quantity);
+        let to = recording.times[end - 1];
+        (Whole { problem }, Window { first, end, to, ..*window })
+    }
+}
+
+/// All values of a condensed recording.
+pub struct Whole {
+    problem: Problem,
+}
+
+impl Whole {
+    /// Value minus model at each.
+    pub fn residuals(&mut self, minimum: &Minimum) -> Option<Vec<f64>> {
+        let mut residuals = self.problem.residuals(&minimum.at, minimum.ending)?;
+        // The first time is only that of the initial state.
+        residuals.remove(0);
+        Some(residuals)
+    }
+}
