@@ -90,7 +90,7 @@ fn as_asked(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
 const STRONG: f64 = 0.5;
 
 /// Damping ratios within this factor of one are near critical.
-const NEAR: f64 = 1.25;
+const NEAR: f64 = 1.5;
 
 /// Whether the motion is critical, or near it, where viscous friction is strong.
 fn regime(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
