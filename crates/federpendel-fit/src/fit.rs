@@ -15,11 +15,12 @@ use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
 use crate::options::{Intervals, Laws, Loss, Options};
-use crate::problem::{OMEGA, Problem, parameters};
+use crate::problem::{LAWS, OMEGA, Problem, parameters};
 use crate::ranking::{Candidate, verdict};
 use crate::reach::{Reach, reach};
 use crate::report::{FitReport, Model};
 use crate::shares::shares;
+use crate::start::mix;
 use crate::unit::unit_of_values;
 use crate::window::{Edge, Found, Window, find};
 
@@ -134,7 +135,7 @@ impl Fits {
         let candidates: Vec<Candidate> = self
             .fitted
             .iter()
-            .map(|f| Candidate { mix: f.mix, cost: f.minimum.normal.cost })
+            .map(|f| Candidate { mix: f.mix, cost: f.minimum.normal.cost, core: core(f) })
             .collect();
         let mut verdict = verdict(&candidates, self.effective).ok_or(none.clone())?;
         if let Laws::Exactly(mix) = options.laws {
@@ -203,6 +204,12 @@ impl Fits {
         };
         alternatives.iter().map(each).collect()
     }
+}
+
+/// The laws of the mix that did not come out as none.
+fn core(fitted: &Fitted) -> Mix {
+    let free = free(fitted.mix);
+    mix(LAWS.map(|law| free[law] && fitted.minimum.at[law] > 0.0))
 }
 
 fn mean_square(values: &[f64]) -> f64 {

@@ -16,7 +16,8 @@ use std::f64::consts::PI;
 pub struct Excess {
     /// At ω0, for the frequency and the state at the start; at least 1.
     pub of_phase: f64,
-    /// At ω0 with what a drift of the period explains taken away, for the coefficients of friction.
+    /// At ω0 with what a drift of the period explains taken away, for the coefficients of friction; at
+    /// least 1.
     pub of_amplitude: f64,
     /// At zero, for the zero of the sensor; at least 1.
     pub of_zero: f64,
@@ -44,7 +45,8 @@ impl Excess {
         let drifts = taken > DRIFT * left * of_steady;
         Self {
             of_phase,
-            of_amplitude: if drifts { of_steady * left / all } else { of_phase },
+            // Of no more use than independent values, however well the drift explains them.
+            of_amplitude: if drifts { (of_steady * left / all).max(1.0) } else { of_phase },
             of_zero: excess(residuals, step, omega, 0.0),
         }
     }

@@ -13,6 +13,8 @@ pub struct Candidate {
     pub mix: Mix,
     /// The sum of squares of its fit.
     pub cost: f64,
+    /// Its laws without those that came out as none: it says nothing that this mix does not.
+    pub core: Mix,
 }
 
 /// How good a fit is for its number of parameters; lower is better.
@@ -70,8 +72,10 @@ pub const LEVEL: f64 = 0.01;
 
 /// The verdict from the fits of all allowed mixes.
 pub fn verdict(candidates: &[Candidate], effective: f64) -> Option<Verdict> {
-    let left: Vec<&Candidate> =
-        candidates.iter().filter(|c| !rejected(c, candidates, effective)).collect();
+    let left: Vec<&Candidate> = candidates
+        .iter()
+        .filter(|c| c.core == c.mix && !rejected(c, candidates, effective))
+        .collect();
     let simplest =
         |c: &&Candidate| !left.iter().any(|other| other.mix != c.mix && within(other.mix, c.mix));
     let mut minimal: Vec<&Candidate> = left.iter().copied().filter(simplest).collect();
@@ -111,7 +115,8 @@ fn rejected(small: &Candidate, candidates: &[Candidate], effective: f64) -> bool
 /// The least probability of a likelihood ratio as high as that of a larger mix, if `small` were
 /// right; none where there is no larger one.
 fn rejection(small: &Candidate, candidates: &[Candidate], effective: f64) -> Option<f64> {
-    let larger = candidates.iter().filter(|c| c.mix != small.mix && within(small.mix, c.mix));
+    let larger =
+        candidates.iter().filter(|c| within(small.mix, c.mix) && !within(c.core, small.mix));
     larger.map(|large| p_value(small, large, effective)).reduce(f64::min)
 }
 
@@ -120,7 +125,14 @@ impl FitReport {
     /// were right; below [`LEVEL`] it is rejected. None for the largest mix, and for one that was
     /// not fitted.
     pub fn rejection(&self, mix: Mix) -> Option<f64> {
-        let candidate = |model: &crate::Model| Candidate { mix: model.mix, cost: model.chi_square };
+        let candidate = |model: &crate::Model| Candidate {
+            mix: model.mix,
+            cost: model.chi_square,
+            core: crate::start::mix(
+                ["damping_rate", "coulomb_acceleration", "newton_rate"]
+                    .map(|law| model.value(law) > 0.0),
+            ),
+        };
         let candidates: Vec<_> = self.models.iter().map(candidate).collect();
         let small = candidates.iter().find(|candidate| candidate.mix == mix)?;
         rejection(small, &candidates, self.effective_samples)

@@ -57,7 +57,23 @@ pub fn search(
             }
         }
     }
-    minimise(problem, &best.at, free, best.ending, Effort::FINE)
+    let best = minimise(problem, &best.at, free, best.ending, Effort::FINE)?;
+    Some(without_whim(problem, best, free))
+}
+
+/// So many variances a rest that the natural rule does not give must lower the sum of squares by: noise
+/// lowers it a little for one of several turning points tried.
+const REST_SHOWS: f64 = 12.0;
+
+/// `minimum`, or that of the natural rule where the rest forced on the motion is not shown by the recording.
+fn without_whim(problem: &mut Problem, minimum: Minimum, free: &[bool; 7]) -> Minimum {
+    let Stop::After(number) = minimum.ending.stop(&minimum.at) else { return minimum };
+    let found = minimise(problem, &minimum.at, free, Ending::Natural, Effort::FINE);
+    let Some(natural) = found else { return minimum };
+    let course = problem.course(&natural.at, natural.ending, false);
+    let same = course.is_some_and(|course| course.rest.is_some_and(|rest| rest.number == number));
+    let shows = 1.0 + REST_SHOWS / problem.len() as f64;
+    if !same && natural.normal.cost < shows * minimum.normal.cost { natural } else { minimum }
 }
 
 /// `minimum`, or beside it, where the mass goes on to the end that `ending` says: kinetic friction

@@ -148,10 +148,18 @@ fn ended(times: &[f64], window: Window, look: &Look) -> Window {
         look.extremes.iter().filter(|e| e.time >= window.from - 0.1 * look.half).collect();
     let swings: Vec<f64> = extremes.windows(2).map(|w| (w[1].value - w[0].value).abs()).collect();
     let widest = swings.iter().copied().fold(0.0, f64::max);
+    let gaps = gaps(times, look.half);
+    let near_gap = |pair: &[&Extreme]| {
+        let reach = GAP * look.half;
+        gaps.iter().any(|gap| gap.1 > pair[0].time - reach && gap.0 < pair[1].time + reach)
+    };
+    let whole: Vec<bool> = extremes.windows(2).map(|pair| !near_gap(pair)).collect();
     let mut smallest = f64::INFINITY;
     for (i, &swing) in swings.iter().enumerate().skip(1) {
-        smallest = smallest.min(swings[i - 1]);
-        if swing > 1.3 * smallest + 8.0 * look.left + 0.03 * widest {
+        if whole[i - 1] {
+            smallest = smallest.min(swings[i - 1]);
+        }
+        if whole[i] && swing > 1.3 * smallest + 8.0 * look.left + 0.03 * widest {
             let stop = extremes[i].time - look.half;
             return cut(times, window, stop, Edge::Disturbed);
         }
@@ -162,6 +170,16 @@ fn ended(times: &[f64], window: Window, look: &Look) -> Window {
     let Some(last) = extremes.last() else { return window };
     let still = (3.0 * look.half).max(0.3 * (last.time - window.from));
     cut(times, window, last.time + still, Edge::Still)
+}
+
+/// Steps without values longer than this share of half a period hide turning points, and values beside them
+/// look like some.
+const GAP: f64 = 0.3;
+
+/// Where longer steps begin and end.
+fn gaps(times: &[f64], half: f64) -> Vec<(f64, f64)> {
+    let long = |pair: &[f64]| (pair[1] - pair[0] > GAP * half).then(|| (pair[0], pair[1]));
+    times.windows(2).filter_map(long).collect()
 }
 
 /// The first swing that is not clearly wider than those that go on at the end without shrinking.

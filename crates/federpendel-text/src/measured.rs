@@ -50,12 +50,14 @@ struct Rounding {
 impl Rounding {
     /// None where no error is known.
     fn of(value: f64, error: f64) -> Option<Self> {
-        let known = error.is_finite() && error > 0.0 && value.is_finite();
+        if !(error.is_finite() && error > 0.0 && value.is_finite()) {
+            return None;
+        }
         // The larger of both leads: its power of ten serves both where they are very large or small.
         let exponent = value.abs().max(error).log10().floor() as i32;
         let power = if (-4..6).contains(&exponent) { 0 } else { exponent };
         let digit = (error / 10f64.powi(power)).log10().floor() as i32;
-        known.then_some(Self { power, decimals: (1 - digit).max(0) as usize })
+        Some(Self { power, decimals: (1 - digit).max(0) as usize })
     }
 
     fn fixed(self, value: f64, language: Language) -> String {
