@@ -8,7 +8,7 @@
 use crate::Quantity;
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::model::Course;
-use crate::problem::{COULOMB, Ending, OMEGA, Problem, Vector};
+use crate::problem::{COULOMB, Ending, OMEGA, POSITION, Problem, VELOCITY, Vector};
 
 /// The lowest minimum found around `minimum`, where the recording has such jumps; only the nearest
 /// if not `thoroughly`.
@@ -38,9 +38,31 @@ pub fn settle(
             (best, found) => best.or(found),
         };
     }
-    let best = best.and_then(|best| hard(problem, &best.at, Effort::FINE)).unwrap_or(minimum);
+    let mut best = best.and_then(|best| hard(problem, &best.at, Effort::FINE)).unwrap_or(minimum);
+    problem.spread = None;
+    if thoroughly {
+        let lower = |found: &Minimum, than: &Minimum| found.normal.cost < than.normal.cost;
+        let held = released_at_rest(problem, &best, free).filter(|found| lower(found, &best));
+        best = held.unwrap_or(best);
+    }
     problem.spread = Some(spread);
     best
+}
+
+/// A velocity at the beginning that is so small a share of the swing's is that of a release at rest.
+const AT_REST: f64 = 1e-3;
+
+/// The minimum next to one of a release at rest, found with that held: where the first velocity changes its sign
+/// dry friction does too, and all values up to the first turn jump.
+fn released_at_rest(problem: &mut Problem, from: &Minimum, free: &[bool; 7]) -> Option<Minimum> {
+    let mut at = from.at;
+    if at[VELOCITY].abs() > AT_REST * at[OMEGA] * at[POSITION].abs() {
+        return None;
+    }
+    at[VELOCITY] = 0.0;
+    let mut held = *free;
+    held[VELOCITY] = false;
+    minimise(problem, &at, &held, from.ending, Effort::FINE)
 }
 
 const BRIEF: Effort = Effort { steps: 3, gain: 1e-1 };

@@ -21,6 +21,11 @@ pub const LAWS: [usize; 3] = [1, 2, 3];
 /// Where a_c stands.
 pub const COULOMB: usize = 2;
 
+/// Where the position and the velocity at the beginning stand.
+pub const POSITION: usize = 4;
+/// See [`POSITION`].
+pub const VELOCITY: usize = 5;
+
 /// The parameters as the model takes them.
 pub fn parameters(p: &Vector) -> Parameters {
     Parameters::from_array((*p).into())
