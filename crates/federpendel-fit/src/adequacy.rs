@@ -10,9 +10,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::Quantity;
+use crate::extremes::median;
 use crate::least_squares::Minimum;
 use crate::noise::{Excess, excess};
-use crate::problem::{LAWS, OMEGA, Problem, Vector};
+use crate::problem::{LAWS, Loss, OMEGA, Problem, Vector};
 
 /// What is wrong with the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,6 +30,8 @@ pub enum Fault {
     ZeroDrift,
     /// The swings have another shape: harmonics, as of a sensor that is not linear.
     Shape,
+    /// What is left is far more than the noise of the sensor, and none of the other faults.
+    Residual,
 }
 
 /// A pattern found in the residuals.
@@ -99,10 +102,46 @@ pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> O
         let grave = size > GRAVE && share > MAIN;
         findings.push(Finding { fault, size, share, significance, effect, grave });
     }
+    findings.extend(residual(problem, &patterns));
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
+    // The others say more.
+    findings.sort_by_key(|finding| finding.fault == Fault::Residual);
     prefer_amplitude(&mut findings);
     let adequate = !findings.iter().any(|finding| finding.grave);
     Some(Adequacy { adequate, findings, residual: (patterns.cost / motion).sqrt() })
+}
+
+/// Residuals of more than this share of the motion are too large
+const LARGE: f64 = 0.05;
+/// if they are so many times as large as the noise from value to value.
+const BEYOND_NOISE: f64 = 5.0;
+
+/// Residuals that are far larger than what the sensor adds from value to value, whatever their pattern. Where
+/// sampling is coarse the motion is part of that, and nothing is found.
+fn residual(problem: &Problem, patterns: &Patterns) -> Option<Finding> {
+    let values = &problem.values;
+    let rms = match problem.loss.0 {
+        Loss::Squares => (patterns.cost / values.len() as f64).sqrt(),
+        // What a robust loss leaves aside is no fault of the model.
+        Loss::Huber | Loss::Tukey => {
+            let mut sizes: Vec<f64> = patterns.residuals.iter().map(|r| r.abs()).collect();
+            1.4826 * median(&mut sizes)?
+        }
+    };
+    let size = rms / (patterns.widest() / values.len() as f64).sqrt();
+    // Of white noise x₀ − 2x₁ + x₂ has the variance 6σ².
+    let second = |w: &[f64]| (w[0] - 2.0 * w[1] + w[2]).abs();
+    let mut seconds: Vec<f64> = values.windows(3).map(second).collect();
+    let noise = 1.4826 * median(&mut seconds)? / 6f64.sqrt();
+    let beyond = rms / noise.max(f64::MIN_POSITIVE);
+    (size > LARGE && beyond > BEYOND_NOISE).then_some(Finding {
+        fault: Fault::Residual,
+        size,
+        share: 1.0,
+        significance: beyond * beyond,
+        effect: size,
+        grave: true,
+    })
 }
 
 /// A drift of the period that goes with the amplitude is said once, as that.

@@ -55,6 +55,14 @@ pub enum FitError {
         /// End of it, s.
         to: f64,
     },
+    /// Nothing swings: the values tell no motion of a mass on a spring from noise or a ramp.
+    #[error("no oscillation from {from} s to {to} s")]
+    NoOscillation {
+        /// Begin of the window, s.
+        from: f64,
+        /// End of it, s.
+        to: f64,
+    },
     /// No search came to an end.
     #[error("no motion could be fitted from {from} s to {to} s")]
     NoFit {

@@ -24,6 +24,13 @@ use crate::start::mix;
 use crate::unit::unit_of_values;
 use crate::window::{Edge, Found, Window, find};
 
+/// So many turns that stand out of the noise are an oscillation, whatever is fitted to it.
+const TURNS: usize = 5;
+
+/// A likelihood ratio that the parameters of a motion reach in noise hardly ever, beside the 2 ln n that the best
+/// of n frequencies does.
+const OF_NOISE: f64 = 20.0;
+
 /// Fits every mix of the allowed laws to a recording of a free decay, from a cold start.
 ///
 /// # Errors [`FitError`] if the recording or an option is out of range, if nothing moves, or if no
@@ -55,7 +62,7 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
         fits.whole = Some(whole);
         found.window = window;
     }
-    fits.report(recording, found.window, options)
+    fits.report(recording, &found, options)
 }
 
 /// The fits of all mixes to one window.
@@ -128,9 +135,10 @@ impl Fits {
     fn report(
         mut self,
         recording: &Recording,
-        window: Window,
+        found: &Found,
         options: &Options,
     ) -> Result<FitReport, FitError> {
+        let window = found.window;
         let none = FitError::NoFit { from: window.from, to: window.to };
         let candidates: Vec<Candidate> = self
             .fitted
@@ -146,6 +154,11 @@ impl Fits {
         let free_here = free(best.mix);
         let adequacy =
             adequacy(&mut self.problem, &best.minimum, &free_here).ok_or(none.clone())?;
+        let turns = found.look.as_ref().map_or(0, |look| look.extremes.len());
+        // Of what turns often enough adequacy says more.
+        if !self.swings(&best.minimum) && (adequacy.adequate || turns < TURNS) {
+            return Err(FitError::NoOscillation { from: window.from, to: window.to });
+        }
         let reaches = self.reaches(&verdict.alternatives, &best);
         let shares = shares(&parameters(&best.minimum.at), window.to - window.from);
         let residuals = self.residuals(&best.minimum).ok_or(none)?;
@@ -174,11 +187,25 @@ impl Fits {
             adequacy,
             shares,
             reaches,
+            outliers: outliers(&residuals),
             residuals,
             evaluations: self.problem.evaluations,
+            loss: options.loss,
             sigma: options.sigma,
             intervals: options.intervals,
         })
+    }
+
+    /// Whether the values show a motion: at least half a swing of it, beyond what a search for a frequency finds in
+    /// noise.
+    fn swings(&self, minimum: &Minimum) -> bool {
+        let problem = &self.problem;
+        let count = problem.len() as f64;
+        let phase = minimum.at[OMEGA] * problem.step() * (count - 1.0);
+        let mean = problem.values.iter().sum::<f64>() / count;
+        let still: f64 = problem.values.iter().map(|value| (value - mean).powi(2)).sum();
+        let ratio = self.effective * (still / minimum.normal.cost).ln();
+        phase > PI && (minimum.normal.cost == 0.0 || ratio > 2.0 * count.ln() + OF_NOISE)
     }
 
     /// Value minus model at every value.
@@ -210,6 +237,16 @@ impl Fits {
 fn core(fitted: &Fitted) -> Mix {
     let free = free(fitted.mix);
     mix(LAWS.map(|law| free[law] && fitted.minimum.at[law] > 0.0))
+}
+
+/// A residual so many standard deviations large is none of the noise.
+const OUTLIER: f64 = 10.0;
+
+/// How many residuals are outliers.
+fn outliers(residuals: &[f64]) -> usize {
+    let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
+    let limit = OUTLIER * 1.4826 * median(&mut sizes).unwrap_or(0.0);
+    residuals.iter().filter(|r| r.abs() > limit && limit > 0.0).count()
 }
 
 fn mean_square(values: &[f64]) -> f64 {

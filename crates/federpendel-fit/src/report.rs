@@ -6,7 +6,7 @@ use crate::Quantity;
 use crate::adequacy::Adequacy;
 use crate::least_squares::StopReason;
 use crate::noise::Excess;
-use crate::options::{Intervals, Laws};
+use crate::options::{Intervals, Laws, Loss};
 use crate::ranking::{Criteria, Verdict};
 use crate::reach::Reach;
 use crate::stop::Rest;
@@ -93,6 +93,10 @@ pub struct FitReport {
     pub reaches: Vec<Reach>,
     /// The verdict's residuals, value − model, at the values of the window.
     pub residuals: Vec<f64>,
+    /// How many residuals are far too large for the noise of the others.
+    pub outliers: usize,
+    /// How residuals counted.
+    pub loss: Loss,
     /// Evaluations of the model, of all mixes together.
     pub evaluations: usize,
     /// Standard deviation of a value, where it was given: χ² is measured in it.

@@ -1,5 +1,6 @@
 //! What is said of a recording and of its fit: why it is refused, how it was read, what acts; and the report of it.
 
+mod caution;
 mod damping;
 mod decrement;
 mod figures;

@@ -129,6 +129,7 @@ fn said(writer: &Writer<'_>, finding: &Finding) -> String {
         Fault::Losses => "measured-finding-losses",
         Fault::ZeroDrift => "measured-finding-zero-drift",
         Fault::Shape => "measured-finding-shape",
+        Fault::Residual => "measured-finding-residual",
     };
     let said = writer.catalogue.format(id, &[("effect", effect.into())]);
     let weight = if finding.grave { "measured-grave" } else { "measured-slight" };

@@ -34,6 +34,8 @@ pub fn fit_error(catalogue: &Catalogue, error: &FitError, file: &str) -> String 
         FitError::Still { from, to } => {
             catalogue.format("fit-refused-still", &[("from", time(from)), ("to", time(to))])
         }
+        FitError::NoOscillation { from, to } => catalogue
+            .format("fit-refused-no-oscillation", &[("from", time(from)), ("to", time(to))]),
         FitError::NoFit { from, to } => {
             catalogue.format("fit-refused-no-fit", &[("from", time(from)), ("to", time(to))])
         }

@@ -4,6 +4,7 @@ use federpendel_fit::{Fault, Laws, Model, Standing, damping};
 use federpendel_text::Catalogue;
 
 use super::Fitted;
+use super::caution::cautions;
 use super::law::{LAWS, Law};
 
 /// From this share of the lost energy on a law dominates.
@@ -24,6 +25,7 @@ pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     if !report.adequacy.adequate {
         // What acts cannot be told from a motion that no mix describes.
         sentences.push(wrong(fit, catalogue));
+        sentences.extend(cautions(fit, model, catalogue));
         return sentences;
     }
     if !asked {
@@ -31,6 +33,7 @@ pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     }
     sentences.extend(regime(fit, catalogue));
     sentences.extend(not_needed(fit, catalogue));
+    sentences.extend(cautions(fit, model, catalogue));
     sentences.extend(not_separated(fit, catalogue));
     sentences.extend(model.rest.as_ref().map(|rest| {
         let time = catalogue.quantity(rest.time, "s", 4);
@@ -149,6 +152,7 @@ fn wrong(fit: &Fitted, catalogue: &Catalogue) -> String {
         Some(Fault::Losses) => "fit-wrong-losses",
         Some(Fault::ZeroDrift) => "fit-wrong-zero-drift",
         Some(Fault::Shape) => "fit-wrong-shape",
+        Some(Fault::Residual) => "fit-wrong-residual",
         None => "fit-wrong",
     })
 }

@@ -102,6 +102,7 @@ fit-refused-value = Wert Nummer { $number } ist { $value }; erlaubt ist { $allow
 fit-refused-option = { $name } ist { $value }; erlaubt ist { $allowed }
 fit-sigma-unit = { $name }: --sigma ist in { $unit }, die Werte sind in { $found }; erlaubt ist deren Einheit oder eine Zahl in ihr
 fit-refused-still = Von { $from } bis { $to } sind alle Werte gleich; erlaubt ist ein Teil, in dem sich die Masse bewegt
+fit-refused-no-oscillation = Von { $from } bis { $to } schwingt nichts: Die Werte zeigen nur Rauschen oder einen gleichmäßigen Anstieg; erlaubt ist ein Teil mit wenigstens einigen Halbschwingungen
 fit-refused-no-fit = Von { $from } bis { $to } lässt sich keine Bewegung eines Federpendels anpassen; erlaubt ist ein Teil, in dem es frei schwingt
 fit-some-failed = { $failed } von { $all } Aufzeichnungen ließen sich nicht anpassen
 
@@ -149,5 +150,14 @@ fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode
 fit-wrong-losses = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
 fit-wrong-zero-drift = Kein Gemisch beschreibt diese Aufzeichnung: Der Nullpunkt des Sensors driftet.
 fit-wrong-shape = Kein Gemisch beschreibt diese Aufzeichnung: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
+fit-wrong-residual = Kein Gemisch beschreibt diese Aufzeichnung: Die Anpassung lässt weit mehr übrig als das Rauschen des Sensors.
 fit-wrong = Kein Gemisch beschreibt diese Aufzeichnung.
 fit-rests = Die Masse kommt bei { $time } zur Ruhe.
+fit-caution-part = Angepasst ist nur der Teil von { $from } bis { $to }: { $why }.
+fit-caution-swings = Das stützt sich auf nur { $number } Halbschwingungen: Bei weniger als fünf irrt das Urteil oft.
+fit-caution-values = Mit { $number } Werten je Halbschwingung bleibt viel von der Bewegung ungesehen: schneller aufzeichnen.
+fit-caution-outliers =
+    { $count ->
+        [one] Ein Wert liegt weit ab von den anderen und verzieht die Anpassung: --loss tukey lässt ihn beiseite.
+       *[other] { $count } Werte liegen weit ab von den anderen und verziehen die Anpassung: --loss tukey lässt sie beiseite.
+    }

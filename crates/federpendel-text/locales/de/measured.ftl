@@ -105,6 +105,7 @@ measured-finding-period-drift = Die Periode driftet; das macht bis zu { $effect 
 measured-finding-losses = Die Verluste an Amplitude sind die keines Gemischs der Gesetze; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-zero-drift = Der Nullpunkt des Sensors driftet; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-shape = Die Schwingungen haben eine andere Form, wie bei einem nicht linearen Sensor; das macht bis zu { $effect } der Bewegung aus.
+measured-finding-residual = Was die Anpassung übrig lässt, ist weit mehr als das Rauschen von Wert zu Wert: { $effect } der weitesten Halbschwingung.
 measured-grave = { $finding } Das ist so viel, dass kein Gemisch die Bewegung beschreibt.
 measured-slight = { $finding } Neben der Bewegung ist das wenig; in den Standardfehlern zählt es als Rauschen.
 

@@ -102,6 +102,7 @@ fit-refused-value = value number { $number } is { $value }; allowed is { $allowe
 fit-refused-option = { $name } is { $value }; allowed is { $allowed }
 fit-sigma-unit = { $name }: --sigma is in { $unit }, the values are in { $found }; allowed is their unit, or a number in it
 fit-refused-still = from { $from } to { $to } all values are the same; allowed is a part in which the mass moves
+fit-refused-no-oscillation = from { $from } to { $to } nothing swings: the values show no more than noise or a ramp; allowed is a part with at least a few swings
 fit-refused-no-fit = from { $from } to { $to } no motion of a mass on a spring can be fitted; allowed is a part in which it swings freely
 fit-some-failed = { $failed } of { $all } recordings could not be fitted
 
@@ -149,5 +150,14 @@ fit-wrong-period-drift = No mix describes this recording: the period drifts.
 fit-wrong-losses = No mix describes this recording: the losses of amplitude are those of no mix of the three laws.
 fit-wrong-zero-drift = No mix describes this recording: the zero of the sensor drifts.
 fit-wrong-shape = No mix describes this recording: the swings have another shape, as of a sensor that is not linear.
+fit-wrong-residual = No mix describes this recording: the fit leaves far more than the noise of the sensor.
 fit-wrong = No mix describes this recording.
 fit-rests = The mass comes to rest at { $time }.
+fit-caution-part = Only the part from { $from } to { $to } was fitted: { $why }.
+fit-caution-swings = That rests on { $number } swings (half periods) only: verdicts on fewer than five often err.
+fit-caution-values = With { $number } values in a swing (half a period) much of the motion goes unseen: record faster.
+fit-caution-outliers =
+    { $count ->
+        [one] One value lies far off the others and sways the fit: --loss tukey leaves it aside.
+       *[other] { $count } values lie far off the others and sway the fit: --loss tukey leaves them aside.
+    }
