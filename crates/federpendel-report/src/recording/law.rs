@@ -61,6 +61,20 @@ impl Law {
         format!("{} = {}", self.symbol, catalogue.measured(value, error, &unit))
     }
 
+    /// The most that it could be beside the verdict's mix: `κ < 0.02 1/m`.
+    pub fn limit(&self, fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
+        let report = &fit.report;
+        let beside = report.models.iter().find(|model| {
+            LAWS.iter().all(|law| {
+                let acts = (law.acts)(report.verdict.mix) || law.parameter == self.parameter;
+                (law.acts)(model.mix) == acts
+            })
+        })?;
+        let most = beside.parameter(self.parameter)?.interval95.1?;
+        let most = catalogue.quantity(most, &report.unit_of(self.parameter), 2);
+        Some(format!("{} < {most}", self.symbol))
+    }
+
     /// How many standard errors it is away from none.
     pub fn sigmas(&self, model: &Model) -> Option<f64> {
         let parameter = model.parameter(self.parameter)?;

@@ -60,6 +60,11 @@ pub fn physical_sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     sentences
 }
 
+/// The symbol of a physical number.
+pub(super) fn symbol(name: &str) -> &'static str {
+    PARAMETERS.iter().find(|info| info.name == name).map_or("F_c", |info| info.symbol)
+}
+
 /// “mass m”.
 fn row_name(catalogue: &Catalogue, name: &str) -> String {
     match (name, PARAMETERS.iter().find(|info| info.name == name)) {

@@ -6,6 +6,7 @@ use federpendel_text::Catalogue;
 use super::Fitted;
 use super::caution::cautions;
 use super::law::{LAWS, Law};
+use super::physical::{symbol, value};
 
 /// From this share of the lost energy on a law dominates.
 const DOMINATES: f64 = 2.0 / 3.0;
@@ -29,8 +30,12 @@ pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
         return sentences;
     }
     if !asked {
-        sentences.push(acting(fit, model, catalogue));
+        sentences.push(match report.verdict.alternatives[..] {
+            [] => acting(fit, model, catalogue),
+            _ => open(fit, catalogue),
+        });
     }
+    sentences.extend(physically(fit, catalogue));
     sentences.extend(regime(fit, catalogue));
     sentences.extend(not_needed(fit, catalogue));
     sentences.extend(cautions(fit, model, catalogue));
@@ -58,8 +63,6 @@ fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
         ("share", percent(*share).into()),
     ];
     let id = match others {
-        // Another mix would do as well, which the next sentence says.
-        _ if !fit.report.verdict.alternatives.is_empty() => "fit-fits-best",
         [] => "fit-acts-alone",
         _ if *share >= DOMINATES => "fit-dominates",
         _ => "fit-leads",
@@ -77,6 +80,45 @@ fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
     });
     let clauses: Vec<_> = std::iter::once(catalogue.format(id, &variables)).chain(also).collect();
     format!("{}.", clauses.join("; "))
+}
+
+/// The mixes that describe the recording equally well, each with its coefficients.
+fn open(fit: &Fitted, catalogue: &Catalogue) -> String {
+    let verdict = &fit.report.verdict;
+    let mixes = std::iter::once(&verdict.mix).chain(&verdict.alternatives);
+    let said = mixes.filter_map(|mix| {
+        let model = fit.report.model(*mix)?;
+        let acting = LAWS.iter().filter(|law| (law.acts)(*mix));
+        let values: Vec<_> = acting.map(|law| law.value(fit, model, catalogue)).collect();
+        let name = catalogue.mix(*mix);
+        let values =
+            if values.is_empty() { name } else { format!("{name} ({})", values.join(", ")) };
+        Some(values)
+    });
+    let all = said.reduce(|one, other| {
+        catalogue.format("fit-or", &[("one", one.into()), ("other", other.into())])
+    });
+    catalogue.format("fit-open", &[("mixes", all.unwrap_or_default().into())])
+}
+
+/// The verdict's coefficients in physical numbers, where a mass or the like was given.
+fn physically(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
+    let settled = fit.report.verdict.alternatives.is_empty();
+    let physical = fit.physical.as_ref().filter(|_| settled)?;
+    let numbers = physical.numbers();
+    let known = |wanted: &str| {
+        let (_, answer) = numbers.iter().find(|(name, _)| *name == wanted)?;
+        let number = answer.as_ref().ok().filter(|number| number.value != Some(0.0))?;
+        Some((symbol(wanted), value(catalogue, number)))
+    };
+    let dry = known("kinetic").or_else(|| known("coulomb_force"));
+    let all: Vec<_> = [known("damping"), dry, known("newton_coefficient")]
+        .into_iter()
+        .flatten()
+        .map(|(symbol, value)| format!("{symbol} = {value}"))
+        .collect();
+    (!all.is_empty())
+        .then(|| catalogue.format("fit-physically", &[("values", all.join(", ").into())]))
 }
 
 /// The coefficients of a mix that was asked for.
@@ -119,8 +161,13 @@ fn not_needed(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
     let laws: Vec<_> =
         standing.filter(|(_, stands)| *stands == Standing::NotNeeded).map(|(law, _)| law).collect();
     let (first, others) = laws.split_first()?;
-    let all = others.iter().fold(first.name(catalogue), |one, other| {
-        let pair = [("one", one.into()), ("other", other.inside(catalogue).into())];
+    let limited = |law: &Law, name: String| match law.limit(fit, catalogue) {
+        Some(limit) => format!("{name} ({limit})"),
+        None => name,
+    };
+    let all = others.iter().fold(limited(first, first.name(catalogue)), |one, other| {
+        let other = limited(other, other.inside(catalogue));
+        let pair = [("one", one.into()), ("other", other.into())];
         catalogue.format("fit-and", &pair)
     });
     let variables = [("laws", all.into()), ("number", laws.len().into())];

@@ -127,23 +127,25 @@ fit-law-newton = Quadratische (Newtonsche) Reibung
     .inside = quadratische (Newtonsche) Reibung
 fit-acts-none = In dieser Aufzeichnung zeigt sich keine Reibung.
 fit-acts-alone = { $law } wirkt: { $value }
+fit-open = Die Aufzeichnung lässt offen, welches Gemisch wirkt: { $mixes }.
+fit-physically = In physikalischen Größen: { $values }.
 fit-regime-strong = Die Dämpfung ist stark: Der Dämpfungsgrad ist { $ratio }.
 fit-regime-overdamped = Die Bewegung ist überdämpft (Kriechfall): Der Dämpfungsgrad ist { $ratio }.
 fit-regime-critical = Die Dämpfung liegt nahe am aperiodischen Grenzfall: Der Dämpfungsgrad ist { $ratio }.
-fit-fits-best = { $law } passt am besten: { $value }
 fit-dominates = { $law } überwiegt: { $value }, { $share } der verlorenen Energie
 fit-leads = { $law } wirkt: { $value }, { $share } der verlorenen Energie
 fit-acts-too = { $law } wirkt mit: { $value } ({ $surely }{ $share })
 fit-asked = Angepasst wie verlangt: { $values }.
 fit-asked-none = Angepasst wie verlangt, ohne Reibung.
 fit-and = { $one } und { $other }
+fit-or = { $one } oder { $other }
 fit-not-needed =
     { $number ->
         [one] { $laws } wird nicht gebraucht.
        *[other] { $laws } werden nicht gebraucht.
     }
-fit-cannot-separate = Diese Amplituden lassen offen, ob { $one } oder { $other } wirkt: Um das zu entscheiden, ab mindestens { $amplitude } loslassen.
-fit-never-separates = Diese Aufzeichnung lässt offen, ob { $one } oder { $other } wirkt; auch größere Amplituden würden es nicht entscheiden.
+fit-cannot-separate = Um { $one } und { $other } zu unterscheiden, ab mindestens { $amplitude } loslassen.
+fit-never-separates = Auch größere Amplituden würden { $one } und { $other } nicht unterscheiden.
 fit-wrong-softening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode wächst mit der Amplitude, wie bei einem Pendel mit großen Ausschlägen (eine Feder, die weicher wird).
 fit-wrong-hardening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
 fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode driftet.

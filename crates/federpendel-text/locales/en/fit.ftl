@@ -127,23 +127,25 @@ fit-law-newton = Quadratic (Newton) friction
     .inside = quadratic (Newton) friction
 fit-acts-none = No friction shows in this recording.
 fit-acts-alone = { $law } acts: { $value }
+fit-open = The recording leaves open which mix acts: { $mixes }.
+fit-physically = In physical numbers: { $values }.
 fit-regime-strong = The damping is strong: its ratio is { $ratio }.
 fit-regime-overdamped = The motion is overdamped: the damping ratio is { $ratio }.
 fit-regime-critical = The damping is near critical: its ratio is { $ratio }.
-fit-fits-best = { $law } fits best: { $value }
 fit-dominates = { $law } dominates: { $value }, { $share } of the lost energy
 fit-leads = { $law } acts: { $value }, { $share } of the lost energy
 fit-acts-too = { $law } acts as well: { $value } ({ $surely }{ $share })
 fit-asked = Fitted as asked: { $values }.
 fit-asked-none = Fitted as asked, without friction.
 fit-and = { $one } and { $other }
+fit-or = { $one } or { $other }
 fit-not-needed =
     { $number ->
         [one] { $laws } is not needed.
        *[other] { $laws } are not needed.
     }
-fit-cannot-separate = These amplitudes cannot tell { $one } from { $other }: release from at least { $amplitude } to do so.
-fit-never-separates = This recording cannot tell { $one } from { $other }, nor would one from larger amplitudes.
+fit-cannot-separate = To tell { $one } from { $other }, release from at least { $amplitude }.
+fit-never-separates = Larger amplitudes would not tell { $one } from { $other } either.
 fit-wrong-softening = No mix describes this recording: the period grows with amplitude, as for a pendulum at large angles (a softening spring).
 fit-wrong-hardening = No mix describes this recording: the period falls with amplitude (a hardening spring).
 fit-wrong-period-drift = No mix describes this recording: the period drifts.
