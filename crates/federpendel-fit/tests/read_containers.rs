@@ -110,3 +110,25 @@ fn a_workbook_before_2007() {
     assert_eq!(read.recording.values[..4], [0.5, -0.25, 0.125, -0.0625]);
     assert!(one(&bytes[..3000], &Choice::default()).is_err());
 }
+
+#[test]
+fn a_column_of_remarks_may_be_empty_or_nearly() {
+    for remarks in [&[][..], &[1], &[3], &[1, 2, 3, 4, 5]] {
+        let mut book = Workbook::new();
+        let sheet = book.add_worksheet();
+        let header = ["Nr.", "Zeit in s", "Auslenkung in cm", "Bemerkung"];
+        sheet.write_row(0, 0, header).unwrap();
+        for row in 1..6_u32 {
+            let time = f64::from(row) / 4.0;
+            let value = time * f64::from(row % 2);
+            sheet.write_row(row, 0, [f64::from(row), time, value]).unwrap();
+        }
+        for row in remarks {
+            sheet.write(*row, 3, "losgelassen").unwrap();
+        }
+        let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+        assert_eq!(read.value.label, "Auslenkung in cm", "{remarks:?}");
+        assert_eq!(read.recording.times, [0.25, 0.5, 0.75, 1.0, 1.25], "{remarks:?}");
+        assert_eq!(read.notes, [], "{remarks:?}");
+    }
+}

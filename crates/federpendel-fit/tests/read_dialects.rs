@@ -230,3 +230,23 @@ fn decimal_commas_that_come_late() {
     assert_eq!(read.recording.times.last(), Some(&2001.5));
     assert_eq!(read.dialect.decimal, Decimal::Comma);
 }
+
+/// Header of a table kept by hand, and rows below it.
+const REMARKED: &str = "Nr.;Zeit in s;Auslenkung in cm;Bemerkung\n\
+    1;0,0;5,5;losgelassen\n2;0,1;-4,5\n3;0,2;3,5\n4;0,3;-2,5\n5;0,4;1,5\n";
+
+#[test]
+fn a_remark_in_the_first_row_hides_no_header() {
+    let filled = REMARKED.replace(",5\n", ",5;\n");
+    let later = REMARKED.replace(";losgelassen", "").replace("-2,5", "-2,5;gestoßen");
+    for text in [REMARKED, &filled, &later] {
+        let read = read(text);
+        assert_eq!(label(&read), "Auslenkung in cm", "{text}");
+        assert_eq!(read.recording.times, [0.0, 0.1, 0.2, 0.3, 0.4], "{text}");
+        assert_eq!(read.recording.values, [5.5, -4.5, 3.5, -2.5, 1.5].map(|cm| cm / 100.0));
+        assert_eq!(read.notes, [], "{text}");
+    }
+    // A row that lacks more than the remark is none.
+    let broken = REMARKED.replace("3;0,2;3,5", "3;0,2");
+    assert_eq!(fails(&broken), ReadError::Cells { line: 4, found: 2, expected: 4 });
+}

@@ -21,6 +21,8 @@ pub(super) struct Layout {
     pub end: u8,
     /// Headings, as many as there are columns.
     pub headings: Vec<Heading>,
+    /// Fewest cells of a row; those that it lacks are the last, and empty.
+    pub least: usize,
     /// Whether the file has a header.
     pub header: bool,
     /// Lines above the rows, the header among them.
@@ -73,6 +75,31 @@ impl Look {
         Width { most, least: filled.unwrap_or(most) }
     }
 
+    /// Takes rows that end before their last cells, which are empty, to be as wide as the widest; returns the fewest
+    /// cells of a row. In a sheet (`aligned`) every cell stands in its column. In text most rows decide, unless some row
+    /// is wider, and as wide as the header.
+    fn fill_up(&mut self, aligned: bool) -> usize {
+        let (usual, rows) = (self.most_cells(), self.lines.iter().position(|(_, row)| *row));
+        let (header, rows) = self.lines.split_at(rows.unwrap_or(0));
+        let widest = rows.iter().filter(|(_, row)| *row).map(|(cells, _)| *cells).max();
+        let (widest, least) = match (header.last(), widest) {
+            _ if aligned => (self.lines.iter().map(|(cells, _)| *cells).max().unwrap_or(0), 1),
+            // A time and a value at least; what precedes a single column is no row.
+            (Some((header, _)), Some(widest))
+                if *header == widest && widest > usual && usual > 1 =>
+            {
+                (widest, usual)
+            }
+            _ => return usual,
+        };
+        for (cells, row) in &mut self.lines {
+            if aligned || *row && *cells >= least {
+                *cells = widest;
+            }
+        }
+        least
+    }
+
     /// Cells of most rows.
     fn most_cells(&self) -> usize {
         let mut widths: Vec<usize> =
@@ -95,8 +122,8 @@ impl Look {
 }
 
 impl Layout {
-    /// Looks at the first lines of a table.
-    pub fn of(text: &[u8]) -> Result<Self, ReadError> {
+    /// Looks at the first lines of a table; in one that is `aligned`, as a sheet is, rows may lack their last cells.
+    pub fn of(text: &[u8], aligned: bool) -> Result<Self, ReadError> {
         let begin = &text[..text.len().min(SAMPLE.1)];
         let end = line_end(begin);
         let filled = |line: &Line| !line.is_blank();
@@ -107,7 +134,8 @@ impl Layout {
             .collect();
         let Some(top) = all.first() else { return Err(ReadError::Empty) };
         let sample: Vec<Line> = all.iter().filter(|line| !line.is_comment()).copied().collect();
-        let look = best_look(&sample);
+        let mut look = best_look(&sample);
+        let least = look.fill_up(aligned);
         let Some(first) = look.first(&sample) else { return Err(without_rows(top, &sample)) };
         let row = sample[first];
         let above: Vec<Line> =
@@ -123,6 +151,7 @@ impl Layout {
             separator: look.separator,
             decimal: look.decimal,
             end,
+            least: least.min(headings.len()),
             headings,
             header,
             preamble: above.iter().map(|line| decode(line.text)).collect(),

@@ -187,7 +187,7 @@ pub struct Read {
 pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError> {
     let source = source::open(bytes, choice.table.as_deref())?;
     let text = source.text.as_ref();
-    let layout = Layout::of(text)?;
+    let layout = Layout::of(text, source.container.is_workbook())?;
     let sizes = size::sizes(text, &layout);
     let runs = column::runs(&layout, &sizes, choice)?;
     let dialect = Dialect {

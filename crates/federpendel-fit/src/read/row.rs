@@ -103,9 +103,9 @@ impl Reader<'_> {
         let found = cells.len();
         if found > width && cells[width..].iter().all(|cell| cell.is_empty()) {
             cells.truncate(width);
-        } else if found < width && !line.ended {
+        } else if found < self.layout.least && !line.ended {
             return Ok(Row::CutOff);
-        } else if found < width && self.several {
+        } else if found < width && (self.several || found >= self.layout.least) {
             cells.resize(width, b"");
         } else if found != width {
             return Err(ReadError::Cells { line: line.number, found, expected: width });

@@ -19,6 +19,13 @@ pub enum Container {
     Xls,
 }
 
+impl Container {
+    /// Whether this is a workbook, in whose sheets every cell stands in its column.
+    pub(super) fn is_workbook(self) -> bool {
+        matches!(self, Container::Xlsx | Container::Xls)
+    }
+}
+
 /// The text of a table.
 pub(super) struct Source<'a> {
     pub text: Cow<'a, [u8]>,
