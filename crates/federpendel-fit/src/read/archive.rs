@@ -6,6 +6,7 @@ use zip::ZipArchive;
 use zip::result::ZipError;
 
 use super::error::ReadError;
+use super::line::plain;
 use super::source::{self, Container, Source};
 use super::{LARGEST_TABLE, sheet};
 
@@ -33,7 +34,7 @@ pub(super) fn open<'a>(bytes: &'a [u8], asked: Option<&str>) -> Result<Source<'a
         return Err(ReadError::Empty);
     }
     let text = source::text(&text)?.into_owned();
-    Ok(Source { text: text.into(), container: Container::Zip, table: Some(name) })
+    Ok(Source { text: text.into(), container: Container::Zip, table: Some(plain(name.chars())) })
 }
 
 /// Refuses an archive that says it unpacks to more than is read.

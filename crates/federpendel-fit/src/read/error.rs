@@ -121,6 +121,14 @@ pub enum ReadError {
         /// Cells of the rows.
         expected: usize,
     },
+    /// Commas that may separate columns or be decimal signs.
+    #[error("line {line}: commas in {text:?} separate, or are decimal signs")]
+    Commas {
+        /// Its line.
+        line: usize,
+        /// The row.
+        text: String,
+    },
     /// A row with more or fewer cells than there are columns.
     #[error("line {line}: {found} cells; allowed: {expected}")]
     Cells {

@@ -3,6 +3,7 @@
 use memchr::memchr2_iter;
 
 use super::MOST_COLUMNS;
+use super::comma;
 use super::error::{Found, ReadError};
 use super::header::{Width, header_cells, headings, trimmed_width};
 use super::heading::Heading;
@@ -135,6 +136,10 @@ impl Layout {
         let Some(top) = all.first() else { return Err(ReadError::Empty) };
         let sample: Vec<Line> = all.iter().filter(|line| !line.is_comment()).copied().collect();
         let mut look = best_look(&sample);
+        let (over, rows) = sample.split_at(look.lines.iter().position(|line| line.1).unwrap_or(0));
+        if look.separator == Separator::Comma && comma::are_decimal(over.last(), rows)? {
+            look = Look::new(&sample, Separator::Tab, Decimal::Comma);
+        }
         let least = look.fill_up(aligned);
         let Some(first) = look.first(&sample) else { return Err(without_rows(top, &sample)) };
         let row = sample[first];

@@ -7,6 +7,7 @@
 mod archive;
 mod clean;
 mod column;
+mod comma;
 mod compound;
 mod error;
 mod header;

@@ -8,7 +8,7 @@ use calamine::{DataType, ExcelDateTime, Reader, Xls, XlsError, Xlsx, XlsxError};
 
 use super::error::ReadError;
 use super::source::{self, Container, Source};
-use super::{LARGEST_TABLE, compound};
+use super::{LARGEST_TABLE, compound, line};
 
 /// Most columns of a sheet: those of .xlsx.
 const COLUMNS: u32 = 16_384;
@@ -30,7 +30,7 @@ pub(super) fn open<'a>(
     if text.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
-    Ok(Source { text: text.into(), container, table: Some(table) })
+    Ok(Source { text: text.into(), container, table: Some(line::plain(table.chars())) })
 }
 
 fn xlsx(bytes: &[u8], asked: Option<&str>) -> Result<(String, Vec<u8>), ReadError> {
@@ -133,6 +133,6 @@ impl Grid {
     /// A cell of text stays one cell of one line.
     fn words(&mut self, text: &str) {
         let plain = text.trim().trim_start_matches('"');
-        self.text.extend(plain.chars().map(|c| if c.is_control() { ' ' } else { c }));
+        self.text.push_str(&line::plain(plain.chars()).replace('\t', " "));
     }
 }

@@ -140,6 +140,9 @@ fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
         ReadError::HeaderCells { found, expected, .. } => {
             cells("recording-header-cells", *found, *expected)
         }
+        ReadError::Commas { text, .. } => {
+            catalogue.format("recording-commas", &[("text", excerpt(text).into())])
+        }
         ReadError::Cells { found, expected, .. } => cells("recording-cells", *found, *expected),
         ReadError::NoNumber { column, value, .. } => catalogue.format(
             "recording-no-number",
@@ -180,6 +183,7 @@ pub(super) fn line(error: &ReadError) -> Option<usize> {
         ReadError::NoTable { found, line, .. } => is_text(*found).then_some(*line),
         ReadError::NoRows { line, .. }
         | ReadError::HeaderCells { line, .. }
+        | ReadError::Commas { line, .. }
         | ReadError::Cells { line, .. }
         | ReadError::NoNumber { line, .. }
         | ReadError::OutOfRange { line, .. }

@@ -16,6 +16,7 @@ recording-table-not-found = Als Tabelle ist „{ $asked }“ angegeben; erlaubt 
 recording-too-many-columns = Die Tabelle hat { $found } Spalten; erlaubt sind höchstens { $most }
 recording-no-rows = Unter der Kopfzeile „{ $header }“ steht nichts; nötig sind mindestens { $least } Zeilen mit Zahlen
 recording-header-cells = Diese Kopfzeile hat { $found } Zellen, die Zeilen darunter { $expected }; erlaubt sind gleich viele
+recording-commas = Die Kommas in „{ $text }“ können zwischen Spalten stehen oder Dezimalzeichen sein; erlaubt ist ein Tabulator oder Semikolon zwischen den Spalten, oder eine Kopfzeile mit einer Zelle für jede Spalte
 recording-cells = Diese Zeile hat { $found ->
     [one] eine Zelle
    *[other] { $found } Zellen

@@ -16,6 +16,7 @@ recording-table-not-found = the table asked for is “{ $asked }”; allowed are
 recording-too-many-columns = the table has { $found } columns; allowed are { $most } at most
 recording-no-rows = nothing stands below the header “{ $header }”; at least { $least } rows of numbers are needed
 recording-header-cells = this header has { $found } cells, the rows below it { $expected }; allowed are as many
+recording-commas = the commas in “{ $text }” may stand between columns or be decimal signs; allowed is a tab or semicolon between columns, or a header with a cell for each column
 recording-cells = this row has { $found ->
     [one] one cell
    *[other] { $found } cells
