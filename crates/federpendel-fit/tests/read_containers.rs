@@ -132,3 +132,39 @@ fn a_column_of_remarks_may_be_empty_or_nearly() {
         assert_eq!(read.notes, [], "{remarks:?}");
     }
 }
+
+#[test]
+fn the_only_table_with_times_and_numbers_is_taken() {
+    let notes = "m;250 g\nk;12 N/m\nA;5\nB;6\n";
+    let read = one(&archive(&[("notes.txt", notes), ("b.csv", TABLE)]), &Choice::default());
+    assert_eq!(read.unwrap().dialect.table.as_deref(), Some("b.csv"));
+    let mut book = Workbook::new();
+    for (at, name) in ["Deckblatt", "Messung", "Aufgaben"].iter().enumerate() {
+        let sheet = book.add_worksheet().set_name(*name).unwrap();
+        sheet.write_row(0, 0, ["Zeit in s", "Winkel in rad"]).unwrap();
+        for row in 0..if at == 1 { 8 } else { 0_u32 } {
+            sheet.write_row(row + 1, 0, [f64::from(row), f64::from(row % 2)]).unwrap();
+        }
+    }
+    let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+    assert_eq!(read.dialect.table.as_deref(), Some("Messung"));
+    assert_eq!(read.recording.values.len(), 8);
+}
+
+#[test]
+fn an_archive_of_no_files_holds_no_table() {
+    let none = one(&archive(&[]), &Choice::default());
+    assert_eq!(none, Err(ReadError::TableNotFound { asked: None, tables: Vec::new() }));
+}
+
+/// A line of 32 MB packs into 32 kB; that its columns are counted up to 2 MB only shows that no more was unpacked.
+#[test]
+fn an_archive_is_unpacked_no_further_than_its_first_lines_allow() {
+    let mut bomb = ZipWriter::new(Cursor::new(Vec::new()));
+    bomb.start_file("a.csv", SimpleFileOptions::default()).unwrap();
+    bomb.write_all("1,".repeat(1 << 24).as_bytes()).unwrap();
+    match one(&bomb.finish().unwrap().into_inner(), &Choice::default()) {
+        Err(ReadError::TooManyColumns { found, most: 4096 }) => assert!(found < 1 << 21, "{found}"),
+        other => panic!("{other:?}"),
+    }
+}

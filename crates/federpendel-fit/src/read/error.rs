@@ -98,7 +98,7 @@ pub enum ReadError {
     /// More columns than are read.
     #[error("{found} columns; at most {most}")]
     TooManyColumns {
-        /// The columns.
+        /// The columns, at least.
         found: usize,
         /// The most that are read.
         most: usize,

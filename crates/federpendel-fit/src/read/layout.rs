@@ -10,8 +10,11 @@ use super::heading::Heading;
 use super::line::{Cells, Line, Lines, Separator, decode, excerpt, line_end};
 use super::number::{self, Cell, Decimal};
 
-/// Lines looked at, and bytes of them.
+/// Lines looked at, and bytes that they begin in.
 const SAMPLE: (usize, usize) = (500, 1 << 20);
+
+/// Bytes of a table that tell its layout: no line that is read is longer than a sample.
+pub(super) const START: usize = 2 * SAMPLE.1;
 
 /// The layout of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,10 +128,10 @@ impl Look {
 impl Layout {
     /// Looks at the first lines of a table; in one that is `aligned`, as a sheet is, rows may lack their last cells.
     pub fn of(text: &[u8], aligned: bool) -> Result<Self, ReadError> {
-        let begin = &text[..text.len().min(SAMPLE.1)];
-        let end = line_end(begin);
+        let start = &text[..text.len().min(START)];
+        let end = line_end(start);
         let filled = |line: &Line| !line.is_blank();
-        let all: Vec<Line> = Lines::new(text, end, 0, 1)
+        let all: Vec<Line> = Lines::new(start, end, 0, 1)
             .take_while(|line| line.start < SAMPLE.1)
             .filter(filled)
             .take(SAMPLE.0)

@@ -186,7 +186,7 @@ pub struct Read {
 /// # Errors
 /// What was found instead of a recording. Of several runs some may be none: a note with the others says so.
 pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError> {
-    let source = source::open(bytes, choice.table.as_deref())?;
+    let source = source::open(bytes, choice)?;
     let text = source.text.as_ref();
     let layout = Layout::of(text, source.container.is_workbook())?;
     let sizes = size::sizes(text, &layout);
