@@ -160,3 +160,15 @@ fn choices_that_do_not_fit_name_what_there_is() {
     let table = Choice { table: Some("Sheet2".into()), ..Choice::default() };
     assert!(matches!(recordings(text, &table), Err(ReadError::TableNotFound { .. })));
 }
+
+#[test]
+fn a_rate_beside_a_column_of_times() {
+    let text = "t (s),x (m)\n0,1\n1,-1\n2,1\n3,-1\n";
+    let rate = Choice { rate: Some(10.0), ..Choice::default() };
+    let read = reader::read_with(text, &rate).unwrap();
+    assert_eq!(read.recording.times, [0.0, 0.1, 0.2, 0.3]);
+    assert_eq!(read.notes, [Note::TimeIgnored { column: "t (s)".into() }]);
+    let both = Choice { time: Some("t".into()), ..rate };
+    let refused = Err(ReadError::RateAndTime { time: "t".into() });
+    assert_eq!(recordings(text.as_bytes(), &both), refused);
+}

@@ -28,6 +28,8 @@ pub(super) struct Run {
     pub time_guessed: bool,
     /// The header gives the time no unit: seconds.
     pub time_unit_assumed: bool,
+    /// A column that the header calls a time, where a rate is asked for.
+    pub time_ignored: Option<usize>,
     pub value: usize,
     pub unit: Option<Unit>,
     pub quantity: Quantity,
@@ -68,6 +70,8 @@ struct TimeColumns {
     columns: Vec<usize>,
     guessed: bool,
     rate: Option<f64>,
+    /// One that the header names, where a rate is asked for.
+    ignored: Option<usize>,
 }
 
 impl Table<'_> {
@@ -88,7 +92,13 @@ impl Table<'_> {
     }
 
     fn times(&self) -> Result<TimeColumns, ReadError> {
-        let found = |columns| Ok(TimeColumns { columns, guessed: false, rate: None });
+        let none =
+            || TimeColumns { columns: Vec::new(), guessed: false, rate: None, ignored: None };
+        let found = |columns| Ok(TimeColumns { columns, ..none() });
+        let named = self.named_times();
+        if let (Some(_), Some(time)) = (self.choice.rate, &self.choice.time) {
+            return Err(ReadError::RateAndTime { time: time.clone() });
+        }
         if let Some(asked) = &self.choice.time {
             return found(self.named(Field::Time, asked)?);
         }
@@ -96,19 +106,22 @@ impl Table<'_> {
             if !(value.is_finite() && value > 0.0) {
                 return Err(ReadError::Rate { value });
             }
-            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(value) });
+            return Ok(TimeColumns {
+                rate: Some(value),
+                ignored: named.first().copied(),
+                ..none()
+            });
         }
-        let named = self.named_times();
         if !named.is_empty() {
             return found(named);
         }
         let rate = rate::of(&self.layout.preamble);
-        if let Some(rate) = rate {
-            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(rate) });
+        if rate.is_some() {
+            return Ok(TimeColumns { rate, ..none() });
         }
         let first = self.headings.len() > 1 && self.sizes[0].rises() && !self.is_count(0);
         if first {
-            return Ok(TimeColumns { columns: vec![0], guessed: true, rate: None });
+            return Ok(TimeColumns { columns: vec![0], guessed: true, ..none() });
         }
         Err(ReadError::NoTime { columns: self.labels() })
     }
@@ -239,6 +252,7 @@ impl Table<'_> {
             times: times_from,
             time_guessed: times.guessed,
             time_unit_assumed,
+            time_ignored: times.ignored,
             value,
             unit,
             quantity: self.choice.quantity.or(known).unwrap_or(Quantity::Position),

@@ -233,6 +233,12 @@ pub enum ReadError {
         /// The rate, 1/s.
         value: f64,
     },
+    /// A rate and a column of times, both asked for.
+    #[error("time {time:?} and a rate; allowed: one of them")]
+    RateAndTime {
+        /// The column asked for.
+        time: String,
+    },
     /// Too few rows to hold an oscillation.
     #[error("{rows} rows; at least {least}")]
     TooFewRows {

@@ -111,6 +111,11 @@ pub enum Note {
     TimeGuessed,
     /// The file gives the time no unit; seconds are assumed.
     TimeUnitAssumed,
+    /// A rate is asked for, so this column of times is not read.
+    TimeIgnored {
+        /// Its heading.
+        column: String,
+    },
     /// Neither unit nor name say what is recorded; a position is assumed.
     QuantityAssumed,
     /// Unit and name of the value contradict each other; the unit counts.
@@ -250,6 +255,9 @@ fn assumed(run: &Run, layout: &Layout) -> Vec<Note> {
     let mut note = |is: bool, note| notes.extend(is.then_some(note));
     note(run.time_guessed, Note::TimeGuessed);
     note(run.time_unit_assumed, Note::TimeUnitAssumed);
+    if let Some(at) = run.time_ignored {
+        note(true, Note::TimeIgnored { column: layout.headings[at].label.clone() });
+    }
     note(run.quantity_assumed, Note::QuantityAssumed);
     let (name, heading) =
         (layout.headings[run.value].named_quantity(), &layout.headings[run.value]);

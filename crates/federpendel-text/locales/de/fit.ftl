@@ -40,6 +40,7 @@ recording-quantity-position = eine Auslenkung
 recording-quantity-velocity = eine Geschwindigkeit
 recording-quantity-acceleration = eine Beschleunigung
 recording-rate = Die Abtastrate ist { $value }; erlaubt ist { $allowed }
+recording-rate-and-time = --rate und --time („{ $time }“) sind beide angegeben; erlaubt ist eins davon
 recording-value-unit = --unit ist „{ $asked }“; erlaubt sind Einheiten einer Auslenkung (m, cm, mm, rad, °), einer Geschwindigkeit (m/s, rad/s, …) und einer Beschleunigung (m/s², g, …)
 recording-too-few-rows = Die Aufzeichnung hat { $rows ->
     [one] eine Zeile
@@ -65,6 +66,7 @@ found-prose = Text ohne Zeilen mit Zahlen
 
 recording-note-time = Keine Kopfzeile nennt die Zeit; dafür wird die erste Spalte genommen, deren Zahlen steigen.
 recording-note-time-unit = Die Datei nennt keine Einheit der Zeit; angenommen sind Sekunden.
+recording-note-time-ignored = Die Spalte „{ $column }“ mit Zeiten wird nicht gelesen, da eine Abtastrate angegeben ist.
 recording-note-quantity = Weder Einheit noch Name sagen, was aufgezeichnet wurde; angenommen ist eine Auslenkung.
 recording-note-name = Dem Namen nach enthält die Spalte der Werte { $quantity }, der Einheit nach nicht; es gilt die Einheit.
 recording-note-cut-off = Die letzte Zeile, { $line }, endet zu früh und ist weggelassen.

@@ -40,6 +40,7 @@ recording-quantity-position = a position
 recording-quantity-velocity = a velocity
 recording-quantity-acceleration = an acceleration
 recording-rate = the rate is { $value }; allowed is { $allowed }
+recording-rate-and-time = --rate and --time (“{ $time }”) are both given; allowed is one of them
 recording-value-unit = --unit is “{ $asked }”; allowed are units of a position (m, cm, mm, rad, °), of a velocity (m/s, rad/s, …) and of an acceleration (m/s², g, …)
 recording-too-few-rows = the recording has { $rows ->
     [one] one row
@@ -65,6 +66,7 @@ found-prose = text without rows of numbers
 
 recording-note-time = No header names the time; the first column, which rises, is taken for it.
 recording-note-time-unit = The file gives the time no unit; seconds are assumed.
+recording-note-time-ignored = The column “{ $column }” of times is not read, since a rate is given.
 recording-note-quantity = Neither unit nor name say what was recorded; a position is assumed.
 recording-note-name = By its name the column of values holds { $quantity }, by its unit it does not; the unit counts.
 recording-note-cut-off = The last line, { $line }, ends too early and is left out.
