@@ -46,13 +46,32 @@ fn a_last_line_cut_short_is_left_out() {
 }
 
 #[test]
-fn a_second_recording_below_the_first_is_refused() {
+fn recordings_below_each_other_are_runs() {
     let mut text = "t,x\n".to_owned();
-    for row in 0..60 {
-        text += &format!("{},{}\n", row % 30, row % 4);
+    for row in 0..90 {
+        text += &format!("{},{}\n", row % 30, row % 4 + row / 30);
     }
-    let expected = ReadError::StartsOver { line: 32, value: 0.0, before: 29.0 };
-    assert_eq!(fails(&text), expected);
+    let all = recordings(text.as_bytes(), &Choice::default()).unwrap();
+    let runs: Vec<_> = all.iter().map(|read| read.run.as_deref()).collect();
+    assert_eq!(runs, [Some("1"), Some("2"), Some("3")]);
+    let times: Vec<f64> = (0..30).map(f64::from).collect();
+    assert!(all.iter().all(|read| read.recording.times == times));
+    assert_eq!(all[2].recording.values[..3], [2.0, 3.0, 4.0]);
+    let run = |run: &str| Choice { run: Some(run.into()), ..Choice::default() };
+    assert_eq!(recordings(text.as_bytes(), &run("2")).unwrap(), all[1..2]);
+    let (asked, runs) = ("4".to_owned(), ["1", "2", "3"].map(str::to_owned).into());
+    assert_eq!(recordings(text.as_bytes(), &run("4")), Err(ReadError::RunNotFound { asked, runs }));
+    // Lines are those of the file, in the second run, too.
+    let text = text.replacen("0,3\n1,4\n", "0,3\n\n1,4\n1,5\n", 1);
+    let second = recordings(text.as_bytes(), &run("2")).unwrap().remove(0);
+    assert_eq!(second.notes, [Note::TimeUnitAssumed, Note::Averaged(rows(1, 35))]);
+    // Of runs side by side none may start over.
+    let beside: String =
+        (0..60).map(|row| format!("{0},{1},{0},{1}\n", row % 30, row % 4)).collect();
+    let error = fails(&format!("t,x,t,x\n{beside}"));
+    assert_eq!(error, ReadError::StartsOver { line: 32, value: 0.0, before: 29.0 });
+    let unnamed = recordings(b"t,x\n0,1\n1,2\n2,1\n3,2\n", &run("1"));
+    assert_eq!(unnamed, Err(ReadError::RunNotFound { asked: "1".into(), runs: Vec::new() }));
 }
 
 #[test]

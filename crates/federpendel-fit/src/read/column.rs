@@ -186,7 +186,9 @@ impl Table<'_> {
         if groups.is_empty() {
             return Err(ReadError::NoValue { columns: self.labels() });
         }
-        if let Some(asked) = &self.choice.run {
+        // Runs below each other are told by their times, later.
+        let is_only = matches!(groups.as_slice(), [only] if only.name.is_none());
+        if let Some(asked) = self.choice.run.as_ref().filter(|_| !is_only) {
             let number =
                 |name: &str| -> String { name.chars().filter(char::is_ascii_digit).collect() };
             let fits = |exact: bool, group: &Group| {

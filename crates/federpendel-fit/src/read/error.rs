@@ -247,7 +247,7 @@ pub enum ReadError {
         /// How many it takes.
         least: usize,
     },
-    /// Times jump back to their beginning and rise again: several recordings, one after the other.
+    /// Times of one of several runs jump back to their beginning and rise again.
     #[error("line {line}: time {value} after {before}")]
     StartsOver {
         /// Where.

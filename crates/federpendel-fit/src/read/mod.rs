@@ -5,6 +5,7 @@
 //! that are kept, `row` reads them and nothing else, `clean` puts them in order.
 
 mod archive;
+mod below;
 mod clean;
 mod column;
 mod comma;
@@ -204,7 +205,8 @@ pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError>
         header: layout.header,
     };
     let (mut reads, mut left_out) = (Vec::<Read>::new(), Vec::new());
-    for kept in row::read(text, &layout, runs)? {
+    let kept = row::read(text, &layout, runs)?;
+    for kept in below::runs(kept, choice.run.as_deref())? {
         let name = kept.run.name.clone();
         match read(kept, &layout, &dialect) {
             Ok(read) => reads.push(read),

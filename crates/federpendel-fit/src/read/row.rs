@@ -43,6 +43,14 @@ impl LineNumbers {
         }
     }
 
+    /// Takes away what is said of rows from this one on.
+    fn split_off(&mut self, row: usize) -> Self {
+        let mut rest = LineNumbers { breaks: vec![(0, self.of(row))] };
+        let at = self.breaks.partition_point(|(first, _)| *first <= row);
+        rest.breaks.extend(self.breaks.drain(at..).map(|(first, line)| (first - row, line)));
+        rest
+    }
+
     /// The line of a row.
     pub fn of(&self, row: usize) -> usize {
         let at = self.breaks.partition_point(|(first, _)| *first <= row);
@@ -143,6 +151,22 @@ impl Kept {
             missing: None,
             cut_off: None,
             rows: 0,
+            pending: None,
+        }
+    }
+
+    /// Takes away the rows from this one on, a run of their own.
+    pub fn split_off(&mut self, row: usize) -> Self {
+        let lines = self.lines.split_off(row);
+        let below = |rows: &mut Rows| rows.first_line >= lines.of(0);
+        Kept {
+            run: self.run.clone(),
+            times: self.times.split_off(row),
+            values: self.values.split_off(row),
+            missing: self.missing.take_if(below),
+            lines,
+            cut_off: self.cut_off.take(),
+            rows: self.rows,
             pending: None,
         }
     }
