@@ -4,7 +4,7 @@ use std::io::{Cursor, Write};
 
 use federpendel_fit::Quantity;
 use federpendel_fit::read::{Choice, Container, Read, ReadError, recordings};
-use rust_xlsxwriter::Workbook;
+use rust_xlsxwriter::{Format, Workbook};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -166,5 +166,25 @@ fn an_archive_is_unpacked_no_further_than_its_first_lines_allow() {
     match one(&bomb.finish().unwrap().into_inner(), &Choice::default()) {
         Err(ReadError::TooManyColumns { found, most: 4096 }) => assert!(found < 1 << 21, "{found}"),
         other => panic!("{other:?}"),
+    }
+}
+
+/// Days since 1900 as a workbook keeps times: of a day, of a dated day, of a duration.
+#[test]
+fn times_of_day_in_a_workbook() {
+    for (date, shown) in
+        [(0.0, "hh:mm:ss.000"), (45_000.0, "dd.mm.yyyy hh:mm:ss"), (1.5, "[h]:mm:ss")]
+    {
+        let mut book = Workbook::new();
+        let sheet = book.add_worksheet();
+        sheet.write_row(0, 0, ["Zeit", "x in cm"]).unwrap();
+        let format = Format::new().set_num_format(shown);
+        for row in 0..5_u32 {
+            let time = date + 0.25 + f64::from(row) * 0.125 / 86_400.0;
+            sheet.write_with_format(row + 1, 0, time, &format).unwrap();
+            sheet.write(row + 1, 1, row % 2).unwrap();
+        }
+        let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+        assert_eq!(read.recording.times, [0.0, 0.125, 0.25, 0.375, 0.5], "{shown}");
     }
 }

@@ -277,3 +277,15 @@ fn what_a_terminal_obeys_is_blank_in_names() {
     assert_eq!((label(&read), &read.value.name[..]), ("[31mx  (m)", "[31mx"));
     assert_eq!(read.run.as_deref(), Some("Run  #1"));
 }
+
+#[test]
+fn times_of_day_count_from_the_first() {
+    let rows = "23:59:59,500;1,5\n23:59:59,750;-1,5\n0:00:00,000;1,5\n;0\n00:00:00,250;-1,5\n";
+    for header in ["Uhrzeit;x in cm\n", "Zeit (hh:mm:ss);x in cm\n"] {
+        let read = read(&format!("{header}{rows}"));
+        assert_eq!(read.recording.times, [0.0, 0.25, 0.5, 0.75]);
+        assert_eq!(read.recording.values[..2], [0.015, -0.015]);
+        assert_eq!(read.notes, [Note::Missing(Rows { count: 1, first_line: 5 })]);
+    }
+    assert_eq!(read(rows).recording.times, [0.0, 0.25, 0.5, 0.75]);
+}

@@ -106,9 +106,9 @@ fn headers_that_do_not_fit_are_refused() {
     assert_eq!(found, ReadError::HeaderCells { line: 1, found: 3, expected: 2 });
     let found = fails("a,b,c\n0,1\n1,2\n2,1\n3,2\n");
     assert_eq!(found, ReadError::HeaderCells { line: 1, found: 3, expected: 2 });
-    let clock = fails("Time,x (m)\n12:30:05,1\n12:30:06,2\n12:30:07,1\n12:30:08,2\n");
-    let (column, value) = ("Time".to_owned(), "12:30:05".to_owned());
-    assert_eq!(clock, ReadError::NoNumber { line: 2, column, value });
+    let clock = fails("Time,x (m)\n12:30:05,1\n12:30:06,2\n12:30:67,1\n12:30:08,2\n");
+    let (column, value) = ("Time".to_owned(), "12:30:67".to_owned());
+    assert_eq!(clock, ReadError::NoNumber { line: 4, column, value });
     assert!(matches!(fails("t (s),x (m)\n"), ReadError::NoRows { line: 1, .. }));
     let unit = fails("Time (frames),x (m)\n0,1\n1,2\n2,1\n3,2\n");
     assert!(matches!(unit, ReadError::TimeUnit { ref unit, .. } if unit == "frames"), "{unit:?}");

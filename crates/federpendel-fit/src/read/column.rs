@@ -15,6 +15,8 @@ use crate::Quantity;
 pub(super) enum Times {
     /// A column and its unit.
     Column(usize, Unit),
+    /// A column of times of day.
+    Clock(usize),
     /// Even times, 1/s.
     Rate(f64),
 }
@@ -119,7 +121,8 @@ impl Table<'_> {
         if rate.is_some() {
             return Ok(TimeColumns { rate, ..none() });
         }
-        let first = self.headings.len() > 1 && self.sizes[0].rises() && !self.is_count(0);
+        let first = self.headings.len() > 1
+            && (self.sizes[0].rises() && !self.is_count(0) || self.sizes[0].is_clock());
         if first {
             return Ok(TimeColumns { columns: vec![0], guessed: true, ..none() });
         }
@@ -276,6 +279,9 @@ impl Table<'_> {
     }
 
     fn time_unit(&self, at: usize) -> Result<(Times, bool), ReadError> {
+        if self.sizes[at].is_clock() {
+            return Ok((Times::Clock(at), false));
+        }
         let heading = &self.headings[at];
         let named = unit::parse(&heading.unit).or_else(|| {
             // "Seconds", "millis".

@@ -57,6 +57,7 @@ impl Look {
                 cells += 1;
                 match number::read(cell, decimal) {
                     Cell::Number(_) => numbers += 1,
+                    Cell::Text if number::clock(cell).is_some() => numbers += 1,
                     Cell::Text => texts += 1,
                     Cell::Missing => {}
                 }

@@ -225,7 +225,7 @@ fn read(kept: Kept, layout: &Layout, dialect: &Dialect) -> Result<Read, ReadErro
     let run = kept.run.clone();
     let value = column::name(layout, run.value);
     let clock = match run.times {
-        Times::Column(at, _) => Clock::Column(column::name(layout, at)),
+        Times::Column(at, _) | Times::Clock(at) => Clock::Column(column::name(layout, at)),
         Times::Rate(rate) => Clock::Rate(rate),
     };
     let time = match &clock {

@@ -22,6 +22,8 @@ pub(super) struct Kept {
     pub missing: Option<Rows>,
     /// The last line, if it ends before its cells do.
     pub cut_off: Option<usize>,
+    /// The first time of day, and the last; s.
+    clock: Option<(f64, f64)>,
     /// Rows met, for times at a rate.
     rows: usize,
     /// Rows that lack something, since the last that does not.
@@ -131,6 +133,15 @@ impl Reader<'_> {
         }
     }
 
+    fn clock(&self, line: usize, cells: &[&[u8]], at: usize) -> Result<Option<f64>, ReadError> {
+        let cell = cells.get(at).copied().unwrap_or_default();
+        match (number::clock(cell), number::read(cell, self.layout.decimal)) {
+            (Some(time), _) => Ok(Some(time)),
+            (None, Cell::Missing) => Ok(None),
+            (None, _) => Err(self.refuse(line, cell, at, Cell::Text)),
+        }
+    }
+
     #[cold]
     fn refuse(&self, line: usize, cell: &[u8], at: usize, read: Cell) -> ReadError {
         let (column, value) = (self.layout.headings[at].label.clone(), excerpt(cell));
@@ -150,9 +161,19 @@ impl Kept {
             lines: LineNumbers::default(),
             missing: None,
             cut_off: None,
+            clock: None,
             rows: 0,
             pending: None,
         }
+    }
+
+    /// The time since the first time of day: of the days that it may be of, the one next to the last.
+    fn elapsed(&mut self, time: f64) -> f64 {
+        const DAY: f64 = 86_400.0;
+        let (first, last) = self.clock.unwrap_or((time, time));
+        let time = time + DAY * ((last - time) / DAY).round();
+        self.clock = Some((first, time));
+        time - first
     }
 
     /// Takes away the rows from this one on, a run of their own.
@@ -166,6 +187,7 @@ impl Kept {
             missing: self.missing.take_if(below),
             lines,
             cut_off: self.cut_off.take(),
+            clock: None,
             rows: self.rows,
             pending: None,
         }
@@ -175,6 +197,7 @@ impl Kept {
     fn take(&mut self, reader: &Reader, line: usize, cells: &[&[u8]]) -> Result<(), ReadError> {
         let time = match self.run.times {
             Times::Column(at, unit) => reader.number(line, cells, at)?.map(|time| unit.to_si(time)),
+            Times::Clock(at) => reader.clock(line, cells, at)?.map(|time| self.elapsed(time)),
             Times::Rate(rate) => Some(self.rows as f64 / rate),
         };
         self.rows += 1;

@@ -151,9 +151,19 @@ impl Grid {
         let _ = self.text.write_fmt(arguments);
     }
 
-    /// A date or a time of day is no number of anything; let it be refused as it looks.
+    /// A time of day, with a date or without, or a duration as a clock shows it; a date alone is no number of anything
+    /// and is refused as it looks.
     fn time(&mut self, time: &ExcelDateTime) {
-        self.format(format_args!("[{} d]", time.as_f64()));
+        let days = time.as_f64();
+        let shown = if time.is_duration() { days } else { days.fract() };
+        if days < 0.0 || days >= 1.0 && shown == 0.0 {
+            return self.format(format_args!("[{days} d]"));
+        }
+        let milliseconds = (shown * 86_400_000.0).round() as u64;
+        let (seconds, milliseconds) = (milliseconds / 1000, milliseconds % 1000);
+        let (hours, minutes) = (seconds / 3600, seconds / 60 % 60);
+        let seconds = seconds % 60;
+        self.format(format_args!("{hours}:{minutes:02}:{seconds:02}.{milliseconds:03}"));
     }
 
     /// A cell of text stays one cell of one line.
