@@ -4,22 +4,11 @@ use super::error::{Field, ReadError};
 use super::heading::Heading;
 use super::layout::Layout;
 use super::meaning::{Fit, squeezed};
-use super::rate;
 use super::size::Size;
-use super::unit::{self, TIMES, Unit};
+use super::times::{TimeColumns, Times};
+use super::unit::{self, Unit};
 use super::{Choice, ColumnName};
 use crate::Quantity;
-
-/// Where times come from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Times {
-    /// A column and its unit.
-    Column(usize, Unit),
-    /// A column of times of day.
-    Clock(usize),
-    /// Even times, 1/s.
-    Rate(f64),
-}
 
 /// The columns of one run.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,11 +42,11 @@ pub(super) fn runs(
     wanted.into_iter().map(|group| table.run(group, &times)).collect()
 }
 
-struct Table<'a> {
-    headings: &'a [Heading],
-    sizes: &'a [Size],
-    layout: &'a Layout,
-    choice: &'a Choice,
+pub(super) struct Table<'a> {
+    pub headings: &'a [Heading],
+    pub sizes: &'a [Size],
+    pub layout: &'a Layout,
+    pub choice: &'a Choice,
 }
 
 /// Columns that belong together.
@@ -67,22 +56,13 @@ struct Group {
     members: Vec<usize>,
 }
 
-/// Columns of times, or none and a rate.
-struct TimeColumns {
-    columns: Vec<usize>,
-    guessed: bool,
-    rate: Option<f64>,
-    /// One that the header names, where a rate is asked for.
-    ignored: Option<usize>,
-}
-
 impl Table<'_> {
-    fn labels(&self) -> Vec<String> {
+    pub fn labels(&self) -> Vec<String> {
         self.headings.iter().map(|heading| heading.label.clone()).collect()
     }
 
     /// The columns that a name fits best; at least one.
-    fn named(&self, field: Field, asked: &str) -> Result<Vec<usize>, ReadError> {
+    pub fn named(&self, field: Field, asked: &str) -> Result<Vec<usize>, ReadError> {
         let fits: Vec<Fit> =
             self.headings.iter().enumerate().map(|(at, h)| h.fits(asked, at)).collect();
         let best = fits.iter().min().copied().unwrap_or(Fit::No);
@@ -93,58 +73,7 @@ impl Table<'_> {
         Ok((0..fits.len()).filter(|at| fits[*at] == best).collect())
     }
 
-    fn times(&self) -> Result<TimeColumns, ReadError> {
-        let none =
-            || TimeColumns { columns: Vec::new(), guessed: false, rate: None, ignored: None };
-        let found = |columns| Ok(TimeColumns { columns, ..none() });
-        let named = self.named_times();
-        if let (Some(_), Some(time)) = (self.choice.rate, &self.choice.time) {
-            return Err(ReadError::RateAndTime { time: time.clone() });
-        }
-        if let Some(asked) = &self.choice.time {
-            return found(self.named(Field::Time, asked)?);
-        }
-        if let Some(value) = self.choice.rate {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(ReadError::Rate { value });
-            }
-            return Ok(TimeColumns {
-                rate: Some(value),
-                ignored: named.first().copied(),
-                ..none()
-            });
-        }
-        if !named.is_empty() {
-            return found(named);
-        }
-        let rate = rate::of(&self.layout.preamble);
-        if rate.is_some() {
-            return Ok(TimeColumns { rate, ..none() });
-        }
-        let first = self.headings.len() > 1
-            && (self.sizes[0].rises() && !self.is_count(0) || self.sizes[0].is_clock());
-        if first {
-            return Ok(TimeColumns { columns: vec![0], guessed: true, ..none() });
-        }
-        Err(ReadError::NoTime { columns: self.labels() })
-    }
-
-    /// Columns that the header calls times, by name rather than by unit; if need be one of words, so that the first of
-    /// them is refused with its line.
-    fn named_times(&self) -> Vec<usize> {
-        let header = self.layout.header;
-        let all = |fits: &dyn Fn(usize) -> bool| -> Vec<usize> {
-            (0..self.headings.len()).filter(|at| header && fits(*at)).collect()
-        };
-        let numeric = |at: usize| self.sizes[at].is_numeric();
-        let by_name = |at: usize| self.headings[at].is_named_time();
-        let by_unit = |at: usize| self.headings[at].is_time();
-        let ways: [&dyn Fn(usize) -> bool; 3] =
-            [&|at| by_name(at) && numeric(at), &|at| by_unit(at) && numeric(at), &by_name];
-        ways.into_iter().map(all).find(|columns| !columns.is_empty()).unwrap_or_default()
-    }
-
-    fn is_count(&self, at: usize) -> bool {
+    pub fn is_count(&self, at: usize) -> bool {
         self.layout.header && self.headings[at].is_count()
     }
 
@@ -275,30 +204,6 @@ impl Table<'_> {
         match unit::parse(asked).filter(of_values) {
             Some(unit) => Ok(Some(unit)),
             None => Err(ReadError::ValueUnit { asked: asked.clone() }),
-        }
-    }
-
-    fn time_unit(&self, at: usize) -> Result<(Times, bool), ReadError> {
-        if self.sizes[at].is_clock() {
-            return Ok((Times::Clock(at), false));
-        }
-        let heading = &self.headings[at];
-        let named = unit::parse(&heading.unit).or_else(|| {
-            // "Seconds", "millis".
-            heading.unit.is_empty().then(|| unit::parse(&heading.name)).flatten()
-        });
-        let named = named.filter(|unit| unit.quantity.is_none());
-        match named {
-            Some(unit) => Ok((Times::Column(at, unit), false)),
-            None if heading.unit.is_empty() => {
-                let second = Unit { quantity: None, si: "s", numerator: 1.0, denominator: 1.0 };
-                Ok((Times::Column(at, second), true))
-            }
-            None => Err(ReadError::TimeUnit {
-                column: heading.label.clone(),
-                unit: heading.unit.clone(),
-                allowed: TIMES,
-            }),
         }
     }
 

@@ -22,6 +22,7 @@ mod row;
 mod sheet;
 mod size;
 mod source;
+mod times;
 mod unit;
 
 pub use error::{Field, Found, ReadError};
@@ -30,9 +31,10 @@ pub use number::Decimal;
 pub use source::Container;
 
 use crate::{Quantity, Recording};
-use column::{Run, Times};
+use column::Run;
 use layout::Layout;
 use row::Kept;
+use times::Times;
 
 /// Most bytes of a table, unpacked.
 pub const LARGEST_TABLE: u64 = 1 << 32;

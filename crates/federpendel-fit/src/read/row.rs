@@ -2,11 +2,12 @@
 
 use memchr::memchr_iter;
 
-use super::column::{Run, Times};
+use super::column::Run;
 use super::error::ReadError;
 use super::layout::Layout;
 use super::line::{Cells, Line, Lines, excerpt};
 use super::number::{self, Cell};
+use super::times::Times;
 use super::unit::Unit;
 use super::{LARGEST_NUMBER, Rows};
 
