@@ -4,7 +4,7 @@ use std::io::{Cursor, Write};
 
 use federpendel_fit::Quantity;
 use federpendel_fit::read::{Choice, Container, Read, ReadError, recordings};
-use rust_xlsxwriter::Workbook;
+use rust_xlsxwriter::{Format, Workbook};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -109,4 +109,82 @@ fn a_workbook_before_2007() {
     assert_eq!(read.recording.times, [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75]);
     assert_eq!(read.recording.values[..4], [0.5, -0.25, 0.125, -0.0625]);
     assert!(one(&bytes[..3000], &Choice::default()).is_err());
+}
+
+#[test]
+fn a_column_of_remarks_may_be_empty_or_nearly() {
+    for remarks in [&[][..], &[1], &[3], &[1, 2, 3, 4, 5]] {
+        let mut book = Workbook::new();
+        let sheet = book.add_worksheet();
+        let header = ["Nr.", "Zeit in s", "Auslenkung in cm", "Bemerkung"];
+        sheet.write_row(0, 0, header).unwrap();
+        for row in 1..6_u32 {
+            let time = f64::from(row) / 4.0;
+            let value = time * f64::from(row % 2);
+            sheet.write_row(row, 0, [f64::from(row), time, value]).unwrap();
+        }
+        for row in remarks {
+            sheet.write(*row, 3, "losgelassen").unwrap();
+        }
+        let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+        assert_eq!(read.value.label, "Auslenkung in cm", "{remarks:?}");
+        assert_eq!(read.recording.times, [0.25, 0.5, 0.75, 1.0, 1.25], "{remarks:?}");
+        assert_eq!(read.notes, [], "{remarks:?}");
+    }
+}
+
+#[test]
+fn the_only_table_with_times_and_numbers_is_taken() {
+    let notes = "m;250 g\nk;12 N/m\nA;5\nB;6\n";
+    let read = one(&archive(&[("notes.txt", notes), ("b.csv", TABLE)]), &Choice::default());
+    assert_eq!(read.unwrap().dialect.table.as_deref(), Some("b.csv"));
+    let mut book = Workbook::new();
+    for (at, name) in ["Deckblatt", "Messung", "Aufgaben"].iter().enumerate() {
+        let sheet = book.add_worksheet().set_name(*name).unwrap();
+        sheet.write_row(0, 0, ["Zeit in s", "Winkel in rad"]).unwrap();
+        for row in 0..if at == 1 { 8 } else { 0_u32 } {
+            sheet.write_row(row + 1, 0, [f64::from(row), f64::from(row % 2)]).unwrap();
+        }
+    }
+    let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+    assert_eq!(read.dialect.table.as_deref(), Some("Messung"));
+    assert_eq!(read.recording.values.len(), 8);
+}
+
+#[test]
+fn an_archive_of_no_files_holds_no_table() {
+    let none = one(&archive(&[]), &Choice::default());
+    assert_eq!(none, Err(ReadError::TableNotFound { asked: None, tables: Vec::new() }));
+}
+
+/// A line of 32 MB packs into 32 kB; that its columns are counted up to 2 MB only shows that no more was unpacked.
+#[test]
+fn an_archive_is_unpacked_no_further_than_its_first_lines_allow() {
+    let mut bomb = ZipWriter::new(Cursor::new(Vec::new()));
+    bomb.start_file("a.csv", SimpleFileOptions::default()).unwrap();
+    bomb.write_all("1,".repeat(1 << 24).as_bytes()).unwrap();
+    match one(&bomb.finish().unwrap().into_inner(), &Choice::default()) {
+        Err(ReadError::TooManyColumns { found, most: 4096 }) => assert!(found < 1 << 21, "{found}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Days since 1900 as a workbook keeps times: of a day, of a dated day, of a duration.
+#[test]
+fn times_of_day_in_a_workbook() {
+    for (date, shown) in
+        [(0.0, "hh:mm:ss.000"), (45_000.0, "dd.mm.yyyy hh:mm:ss"), (1.5, "[h]:mm:ss")]
+    {
+        let mut book = Workbook::new();
+        let sheet = book.add_worksheet();
+        sheet.write_row(0, 0, ["Zeit", "x in cm"]).unwrap();
+        let format = Format::new().set_num_format(shown);
+        for row in 0..5_u32 {
+            let time = date + 0.25 + f64::from(row) * 0.125 / 86_400.0;
+            sheet.write_with_format(row + 1, 0, time, &format).unwrap();
+            sheet.write(row + 1, 1, row % 2).unwrap();
+        }
+        let read = one(&book.save_to_buffer().unwrap(), &Choice::default()).unwrap();
+        assert_eq!(read.recording.times, [0.0, 0.125, 0.25, 0.375, 0.5], "{shown}");
+    }
 }

@@ -230,3 +230,62 @@ fn decimal_commas_that_come_late() {
     assert_eq!(read.recording.times.last(), Some(&2001.5));
     assert_eq!(read.dialect.decimal, Decimal::Comma);
 }
+
+/// Header of a table kept by hand, and rows below it.
+const REMARKED: &str = "Nr.;Zeit in s;Auslenkung in cm;Bemerkung\n\
+    1;0,0;5,5;losgelassen\n2;0,1;-4,5\n3;0,2;3,5\n4;0,3;-2,5\n5;0,4;1,5\n";
+
+#[test]
+fn a_remark_in_the_first_row_hides_no_header() {
+    let filled = REMARKED.replace(",5\n", ",5;\n");
+    let later = REMARKED.replace(";losgelassen", "").replace("-2,5", "-2,5;gestoßen");
+    for text in [REMARKED, &filled, &later] {
+        let read = read(text);
+        assert_eq!(label(&read), "Auslenkung in cm", "{text}");
+        assert_eq!(read.recording.times, [0.0, 0.1, 0.2, 0.3, 0.4], "{text}");
+        assert_eq!(read.recording.values, [5.5, -4.5, 3.5, -2.5, 1.5].map(|cm| cm / 100.0));
+        assert_eq!(read.notes, [], "{text}");
+    }
+    // A row that lacks more than the remark is none.
+    let broken = REMARKED.replace("3;0,2;3,5", "3;0,2");
+    assert_eq!(fails(&broken), ReadError::Cells { line: 4, found: 2, expected: 4 });
+}
+
+#[test]
+fn a_comma_between_integers_is_a_decimal_sign_under_one_heading() {
+    let rate = Choice { rate: Some(10.0), ..Choice::default() };
+    let (rows, values) = ("12,03\n-11,5\n10\n-8,25\n", [12.03, -11.5, 10.0, -8.25]);
+    for (header, factor) in [("x in cm\n", 100.0), ("", 1.0), ("Messung 1\n", 1.0)] {
+        let read = read_with(&format!("{header}{rows}"), &rate).unwrap();
+        assert_eq!(read.recording.values, values.map(|value| value / factor), "{header}");
+        assert_eq!(read.dialect.decimal, Decimal::Comma);
+    }
+    // Two headings, or first integers that rise, are two columns.
+    let two = read_with("x,y\n12,03\n-11,5\n10,7\n-8,25\n", &rate).unwrap();
+    assert_eq!(two.recording.values, [12.0, -11.0, 10.0, -8.0]);
+    assert_eq!(read("0,5\n1,7\n2,9\n3,5\n").recording.values, [5.0, 7.0, 9.0, 5.0]);
+    // Neither is known here.
+    for text in ["12,3\n11,5\n10,7\n8,25\n", "0,00,12,3\n0,10,11,5\n0,20,10,7\n0,30,8,25\n"] {
+        assert!(matches!(fails(text), ReadError::Commas { line: 1, .. }), "{text}");
+    }
+}
+
+#[test]
+fn what_a_terminal_obeys_is_blank_in_names() {
+    let text = "Run\u{7} #1,\n\u{1b}t\u{7} (s),\u{1b}[31mx\u{9b} (m)\n0,1\n1,-1\n2,1\n3,-1\n";
+    let read = read(text);
+    assert_eq!((label(&read), &read.value.name[..]), ("[31mx  (m)", "[31mx"));
+    assert_eq!(read.run.as_deref(), Some("Run  #1"));
+}
+
+#[test]
+fn times_of_day_count_from_the_first() {
+    let rows = "23:59:59,500;1,5\n23:59:59,750;-1,5\n0:00:00,000;1,5\n;0\n00:00:00,250;-1,5\n";
+    for header in ["Uhrzeit;x in cm\n", "Zeit (hh:mm:ss);x in cm\n"] {
+        let read = read(&format!("{header}{rows}"));
+        assert_eq!(read.recording.times, [0.0, 0.25, 0.5, 0.75]);
+        assert_eq!(read.recording.values[..2], [0.015, -0.015]);
+        assert_eq!(read.notes, [Note::Missing(Rows { count: 1, first_line: 5 })]);
+    }
+    assert_eq!(read(rows).recording.times, [0.0, 0.25, 0.5, 0.75]);
+}

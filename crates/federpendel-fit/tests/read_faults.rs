@@ -46,13 +46,32 @@ fn a_last_line_cut_short_is_left_out() {
 }
 
 #[test]
-fn a_second_recording_below_the_first_is_refused() {
+fn recordings_below_each_other_are_runs() {
     let mut text = "t,x\n".to_owned();
-    for row in 0..60 {
-        text += &format!("{},{}\n", row % 30, row % 4);
+    for row in 0..90 {
+        text += &format!("{},{}\n", row % 30, row % 4 + row / 30);
     }
-    let expected = ReadError::StartsOver { line: 32, value: 0.0, before: 29.0 };
-    assert_eq!(fails(&text), expected);
+    let all = recordings(text.as_bytes(), &Choice::default()).unwrap();
+    let runs: Vec<_> = all.iter().map(|read| read.run.as_deref()).collect();
+    assert_eq!(runs, [Some("1"), Some("2"), Some("3")]);
+    let times: Vec<f64> = (0..30).map(f64::from).collect();
+    assert!(all.iter().all(|read| read.recording.times == times));
+    assert_eq!(all[2].recording.values[..3], [2.0, 3.0, 4.0]);
+    let run = |run: &str| Choice { run: Some(run.into()), ..Choice::default() };
+    assert_eq!(recordings(text.as_bytes(), &run("2")).unwrap(), all[1..2]);
+    let (asked, runs) = ("4".to_owned(), ["1", "2", "3"].map(str::to_owned).into());
+    assert_eq!(recordings(text.as_bytes(), &run("4")), Err(ReadError::RunNotFound { asked, runs }));
+    // Lines are those of the file, in the second run, too.
+    let text = text.replacen("0,3\n1,4\n", "0,3\n\n1,4\n1,5\n", 1);
+    let second = recordings(text.as_bytes(), &run("2")).unwrap().remove(0);
+    assert_eq!(second.notes, [Note::TimeUnitAssumed, Note::Averaged(rows(1, 35))]);
+    // Of runs side by side none may start over.
+    let beside: String =
+        (0..60).map(|row| format!("{0},{1},{0},{1}\n", row % 30, row % 4)).collect();
+    let error = fails(&format!("t,x,t,x\n{beside}"));
+    assert_eq!(error, ReadError::StartsOver { line: 32, value: 0.0, before: 29.0 });
+    let unnamed = recordings(b"t,x\n0,1\n1,2\n2,1\n3,2\n", &run("1"));
+    assert_eq!(unnamed, Err(ReadError::RunNotFound { asked: "1".into(), runs: Vec::new() }));
 }
 
 #[test]
@@ -87,9 +106,9 @@ fn headers_that_do_not_fit_are_refused() {
     assert_eq!(found, ReadError::HeaderCells { line: 1, found: 3, expected: 2 });
     let found = fails("a,b,c\n0,1\n1,2\n2,1\n3,2\n");
     assert_eq!(found, ReadError::HeaderCells { line: 1, found: 3, expected: 2 });
-    let clock = fails("Time,x (m)\n12:30:05,1\n12:30:06,2\n12:30:07,1\n12:30:08,2\n");
-    let (column, value) = ("Time".to_owned(), "12:30:05".to_owned());
-    assert_eq!(clock, ReadError::NoNumber { line: 2, column, value });
+    let clock = fails("Time,x (m)\n12:30:05,1\n12:30:06,2\n12:30:67,1\n12:30:08,2\n");
+    let (column, value) = ("Time".to_owned(), "12:30:67".to_owned());
+    assert_eq!(clock, ReadError::NoNumber { line: 4, column, value });
     assert!(matches!(fails("t (s),x (m)\n"), ReadError::NoRows { line: 1, .. }));
     let unit = fails("Time (frames),x (m)\n0,1\n1,2\n2,1\n3,2\n");
     assert!(matches!(unit, ReadError::TimeUnit { ref unit, .. } if unit == "frames"), "{unit:?}");
@@ -159,4 +178,16 @@ fn choices_that_do_not_fit_name_what_there_is() {
     }
     let table = Choice { table: Some("Sheet2".into()), ..Choice::default() };
     assert!(matches!(recordings(text, &table), Err(ReadError::TableNotFound { .. })));
+}
+
+#[test]
+fn a_rate_beside_a_column_of_times() {
+    let text = "t (s),x (m)\n0,1\n1,-1\n2,1\n3,-1\n";
+    let rate = Choice { rate: Some(10.0), ..Choice::default() };
+    let read = reader::read_with(text, &rate).unwrap();
+    assert_eq!(read.recording.times, [0.0, 0.1, 0.2, 0.3]);
+    assert_eq!(read.notes, [Note::TimeIgnored { column: "t (s)".into() }]);
+    let both = Choice { time: Some("t".into()), ..rate };
+    let refused = Err(ReadError::RateAndTime { time: "t".into() });
+    assert_eq!(recordings(text.as_bytes(), &both), refused);
 }

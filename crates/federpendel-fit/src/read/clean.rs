@@ -1,5 +1,6 @@
 //! From rows as they stand in a file to a recording: in order, each time once.
 
+use super::below::starts_over;
 use super::error::ReadError;
 use super::row::{Kept, LineNumbers};
 use super::{LEAST_ROWS, Note, Rows};
@@ -54,9 +55,7 @@ fn sorted(
     let falls = || times.windows(2).enumerate().filter(|(_, pair)| pair[1] < pair[0]);
     let Some((first, _)) = falls().next() else { return Ok(None) };
     let count = falls().count();
-    if count * 10 < times.len()
-        && let Some(row) = starts_over(times)
-    {
+    if let Some(row) = starts_over(times) {
         let (value, before) = (times[row], times[row - 1]);
         return Err(ReadError::StartsOver { line: lines.of(row), value, before });
     }
@@ -66,24 +65,6 @@ fn sorted(
     *times = order.iter().map(|row| times[*row]).collect();
     *values = order.iter().map(|row| values[*row]).collect();
     Ok(Some(order))
-}
-
-/// The first row whose time has fallen to the first tenth of those before and rises from there, as they did.
-fn starts_over(times: &[f64]) -> Option<usize> {
-    const RISING: usize = 3;
-    let rises = |part: &[f64]| part.windows(2).all(|pair| pair[0] <= pair[1]);
-    let (mut low, mut high) = (times[0], times[0]);
-    (1..times.len()).find(|row| {
-        let time = times[*row];
-        let falls = time < times[row - 1] && time <= low + 0.1 * (high - low);
-        (low, high) = (low.min(time), high.max(time));
-        let (before, after) = times.split_at(*row);
-        falls
-            && after.len() > RISING
-            && before.len() > RISING
-            && rises(&after[..=RISING])
-            && rises(&before[before.len() - RISING..])
-    })
 }
 
 /// Takes the mean of the values of one time, and notes gaps.

@@ -4,20 +4,11 @@ use super::error::{Field, ReadError};
 use super::heading::Heading;
 use super::layout::Layout;
 use super::meaning::{Fit, squeezed};
-use super::rate;
 use super::size::Size;
-use super::unit::{self, TIMES, Unit};
+use super::times::{TimeColumns, Times};
+use super::unit::{self, Unit};
 use super::{Choice, ColumnName};
 use crate::Quantity;
-
-/// Where times come from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Times {
-    /// A column and its unit.
-    Column(usize, Unit),
-    /// Even times, 1/s.
-    Rate(f64),
-}
 
 /// The columns of one run.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +19,8 @@ pub(super) struct Run {
     pub time_guessed: bool,
     /// The header gives the time no unit: seconds.
     pub time_unit_assumed: bool,
+    /// A column that the header calls a time, where a rate is asked for.
+    pub time_ignored: Option<usize>,
     pub value: usize,
     pub unit: Option<Unit>,
     pub quantity: Quantity,
@@ -49,11 +42,11 @@ pub(super) fn runs(
     wanted.into_iter().map(|group| table.run(group, &times)).collect()
 }
 
-struct Table<'a> {
-    headings: &'a [Heading],
-    sizes: &'a [Size],
-    layout: &'a Layout,
-    choice: &'a Choice,
+pub(super) struct Table<'a> {
+    pub headings: &'a [Heading],
+    pub sizes: &'a [Size],
+    pub layout: &'a Layout,
+    pub choice: &'a Choice,
 }
 
 /// Columns that belong together.
@@ -63,20 +56,13 @@ struct Group {
     members: Vec<usize>,
 }
 
-/// Columns of times, or none and a rate.
-struct TimeColumns {
-    columns: Vec<usize>,
-    guessed: bool,
-    rate: Option<f64>,
-}
-
 impl Table<'_> {
-    fn labels(&self) -> Vec<String> {
+    pub fn labels(&self) -> Vec<String> {
         self.headings.iter().map(|heading| heading.label.clone()).collect()
     }
 
     /// The columns that a name fits best; at least one.
-    fn named(&self, field: Field, asked: &str) -> Result<Vec<usize>, ReadError> {
+    pub fn named(&self, field: Field, asked: &str) -> Result<Vec<usize>, ReadError> {
         let fits: Vec<Fit> =
             self.headings.iter().enumerate().map(|(at, h)| h.fits(asked, at)).collect();
         let best = fits.iter().min().copied().unwrap_or(Fit::No);
@@ -87,48 +73,7 @@ impl Table<'_> {
         Ok((0..fits.len()).filter(|at| fits[*at] == best).collect())
     }
 
-    fn times(&self) -> Result<TimeColumns, ReadError> {
-        let found = |columns| Ok(TimeColumns { columns, guessed: false, rate: None });
-        if let Some(asked) = &self.choice.time {
-            return found(self.named(Field::Time, asked)?);
-        }
-        if let Some(value) = self.choice.rate {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(ReadError::Rate { value });
-            }
-            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(value) });
-        }
-        let named = self.named_times();
-        if !named.is_empty() {
-            return found(named);
-        }
-        let rate = rate::of(&self.layout.preamble);
-        if let Some(rate) = rate {
-            return Ok(TimeColumns { columns: Vec::new(), guessed: false, rate: Some(rate) });
-        }
-        let first = self.headings.len() > 1 && self.sizes[0].rises() && !self.is_count(0);
-        if first {
-            return Ok(TimeColumns { columns: vec![0], guessed: true, rate: None });
-        }
-        Err(ReadError::NoTime { columns: self.labels() })
-    }
-
-    /// Columns that the header calls times, by name rather than by unit; if need be one of words, so that the first of
-    /// them is refused with its line.
-    fn named_times(&self) -> Vec<usize> {
-        let header = self.layout.header;
-        let all = |fits: &dyn Fn(usize) -> bool| -> Vec<usize> {
-            (0..self.headings.len()).filter(|at| header && fits(*at)).collect()
-        };
-        let numeric = |at: usize| self.sizes[at].is_numeric();
-        let by_name = |at: usize| self.headings[at].is_named_time();
-        let by_unit = |at: usize| self.headings[at].is_time();
-        let ways: [&dyn Fn(usize) -> bool; 3] =
-            [&|at| by_name(at) && numeric(at), &|at| by_unit(at) && numeric(at), &by_name];
-        ways.into_iter().map(all).find(|columns| !columns.is_empty()).unwrap_or_default()
-    }
-
-    fn is_count(&self, at: usize) -> bool {
+    pub fn is_count(&self, at: usize) -> bool {
         self.layout.header && self.headings[at].is_count()
     }
 
@@ -173,7 +118,9 @@ impl Table<'_> {
         if groups.is_empty() {
             return Err(ReadError::NoValue { columns: self.labels() });
         }
-        if let Some(asked) = &self.choice.run {
+        // Runs below each other are told by their times, later.
+        let is_only = matches!(groups.as_slice(), [only] if only.name.is_none());
+        if let Some(asked) = self.choice.run.as_ref().filter(|_| !is_only) {
             let number =
                 |name: &str| -> String { name.chars().filter(char::is_ascii_digit).collect() };
             let fits = |exact: bool, group: &Group| {
@@ -239,6 +186,7 @@ impl Table<'_> {
             times: times_from,
             time_guessed: times.guessed,
             time_unit_assumed,
+            time_ignored: times.ignored,
             value,
             unit,
             quantity: self.choice.quantity.or(known).unwrap_or(Quantity::Position),
@@ -256,27 +204,6 @@ impl Table<'_> {
         match unit::parse(asked).filter(of_values) {
             Some(unit) => Ok(Some(unit)),
             None => Err(ReadError::ValueUnit { asked: asked.clone() }),
-        }
-    }
-
-    fn time_unit(&self, at: usize) -> Result<(Times, bool), ReadError> {
-        let heading = &self.headings[at];
-        let named = unit::parse(&heading.unit).or_else(|| {
-            // "Seconds", "millis".
-            heading.unit.is_empty().then(|| unit::parse(&heading.name)).flatten()
-        });
-        let named = named.filter(|unit| unit.quantity.is_none());
-        match named {
-            Some(unit) => Ok((Times::Column(at, unit), false)),
-            None if heading.unit.is_empty() => {
-                let second = Unit { quantity: None, si: "s", numerator: 1.0, denominator: 1.0 };
-                Ok((Times::Column(at, second), true))
-            }
-            None => Err(ReadError::TimeUnit {
-                column: heading.label.clone(),
-                unit: heading.unit.clone(),
-                allowed: TIMES,
-            }),
         }
     }
 

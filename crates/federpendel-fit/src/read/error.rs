@@ -98,7 +98,7 @@ pub enum ReadError {
     /// More columns than are read.
     #[error("{found} columns; at most {most}")]
     TooManyColumns {
-        /// The columns.
+        /// The columns, at least.
         found: usize,
         /// The most that are read.
         most: usize,
@@ -120,6 +120,14 @@ pub enum ReadError {
         found: usize,
         /// Cells of the rows.
         expected: usize,
+    },
+    /// Commas that may separate columns or be decimal signs.
+    #[error("line {line}: commas in {text:?} separate, or are decimal signs")]
+    Commas {
+        /// Its line.
+        line: usize,
+        /// The row.
+        text: String,
     },
     /// A row with more or fewer cells than there are columns.
     #[error("line {line}: {found} cells; allowed: {expected}")]
@@ -225,6 +233,12 @@ pub enum ReadError {
         /// The rate, 1/s.
         value: f64,
     },
+    /// A rate and a column of times, both asked for.
+    #[error("time {time:?} and a rate; allowed: one of them")]
+    RateAndTime {
+        /// The column asked for.
+        time: String,
+    },
     /// Too few rows to hold an oscillation.
     #[error("{rows} rows; at least {least}")]
     TooFewRows {
@@ -233,7 +247,7 @@ pub enum ReadError {
         /// How many it takes.
         least: usize,
     },
-    /// Times jump back to their beginning and rise again: several recordings, one after the other.
+    /// Times of one of several runs jump back to their beginning and rise again.
     #[error("line {line}: time {value} after {before}")]
     StartsOver {
         /// Where.

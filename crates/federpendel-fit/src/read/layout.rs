@@ -3,14 +3,18 @@
 use memchr::memchr2_iter;
 
 use super::MOST_COLUMNS;
+use super::comma;
 use super::error::{Found, ReadError};
 use super::header::{Width, header_cells, headings, trimmed_width};
 use super::heading::Heading;
 use super::line::{Cells, Line, Lines, Separator, decode, excerpt, line_end};
 use super::number::{self, Cell, Decimal};
 
-/// Lines looked at, and bytes of them.
+/// Lines looked at, and bytes that they begin in.
 const SAMPLE: (usize, usize) = (500, 1 << 20);
+
+/// Bytes of a table that tell its layout: no line that is read is longer than a sample.
+pub(super) const START: usize = 2 * SAMPLE.1;
 
 /// The layout of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +25,8 @@ pub(super) struct Layout {
     pub end: u8,
     /// Headings, as many as there are columns.
     pub headings: Vec<Heading>,
+    /// Fewest cells of a row; those that it lacks are the last, and empty.
+    pub least: usize,
     /// Whether the file has a header.
     pub header: bool,
     /// Lines above the rows, the header among them.
@@ -51,6 +57,7 @@ impl Look {
                 cells += 1;
                 match number::read(cell, decimal) {
                     Cell::Number(_) => numbers += 1,
+                    Cell::Text if number::clock(cell).is_some() => numbers += 1,
                     Cell::Text => texts += 1,
                     Cell::Missing => {}
                 }
@@ -71,6 +78,31 @@ impl Look {
         let rows = self.lines.iter().zip(sample).filter(|(look, _)| **look == (most, true));
         let filled = rows.map(|(_, line)| trimmed_width(line, self.separator)).max();
         Width { most, least: filled.unwrap_or(most) }
+    }
+
+    /// Takes rows that end before their last cells, which are empty, to be as wide as the widest; returns the fewest
+    /// cells of a row. In a sheet (`aligned`) every cell stands in its column. In text most rows decide, unless some row
+    /// is wider, and as wide as the header.
+    fn fill_up(&mut self, aligned: bool) -> usize {
+        let (usual, rows) = (self.most_cells(), self.lines.iter().position(|(_, row)| *row));
+        let (header, rows) = self.lines.split_at(rows.unwrap_or(0));
+        let widest = rows.iter().filter(|(_, row)| *row).map(|(cells, _)| *cells).max();
+        let (widest, least) = match (header.last(), widest) {
+            _ if aligned => (self.lines.iter().map(|(cells, _)| *cells).max().unwrap_or(0), 1),
+            // A time and a value at least; what precedes a single column is no row.
+            (Some((header, _)), Some(widest))
+                if *header == widest && widest > usual && usual > 1 =>
+            {
+                (widest, usual)
+            }
+            _ => return usual,
+        };
+        for (cells, row) in &mut self.lines {
+            if aligned || *row && *cells >= least {
+                *cells = widest;
+            }
+        }
+        least
     }
 
     /// Cells of most rows.
@@ -95,19 +127,24 @@ impl Look {
 }
 
 impl Layout {
-    /// Looks at the first lines of a table.
-    pub fn of(text: &[u8]) -> Result<Self, ReadError> {
-        let begin = &text[..text.len().min(SAMPLE.1)];
-        let end = line_end(begin);
+    /// Looks at the first lines of a table; in one that is `aligned`, as a sheet is, rows may lack their last cells.
+    pub fn of(text: &[u8], aligned: bool) -> Result<Self, ReadError> {
+        let start = &text[..text.len().min(START)];
+        let end = line_end(start);
         let filled = |line: &Line| !line.is_blank();
-        let all: Vec<Line> = Lines::new(text, end, 0, 1)
+        let all: Vec<Line> = Lines::new(start, end, 0, 1)
             .take_while(|line| line.start < SAMPLE.1)
             .filter(filled)
             .take(SAMPLE.0)
             .collect();
         let Some(top) = all.first() else { return Err(ReadError::Empty) };
         let sample: Vec<Line> = all.iter().filter(|line| !line.is_comment()).copied().collect();
-        let look = best_look(&sample);
+        let mut look = best_look(&sample);
+        let (over, rows) = sample.split_at(look.lines.iter().position(|line| line.1).unwrap_or(0));
+        if look.separator == Separator::Comma && comma::are_decimal(over.last(), rows)? {
+            look = Look::new(&sample, Separator::Tab, Decimal::Comma);
+        }
+        let least = look.fill_up(aligned);
         let Some(first) = look.first(&sample) else { return Err(without_rows(top, &sample)) };
         let row = sample[first];
         let above: Vec<Line> =
@@ -123,6 +160,7 @@ impl Layout {
             separator: look.separator,
             decimal: look.decimal,
             end,
+            least: least.min(headings.len()),
             headings,
             header,
             preamble: above.iter().map(|line| decode(line.text)).collect(),

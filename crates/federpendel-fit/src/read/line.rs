@@ -176,18 +176,23 @@ impl<'a> Iterator for Cells<'a> {
 /// Text of a cell or line: UTF-8, else Latin-1.
 pub(super) fn decode(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+        Ok(text) => plain(text.chars()),
+        Err(_) => plain(bytes.iter().map(|byte| char::from(*byte))),
     }
+}
+
+/// A text without what a terminal would obey: blanks for control characters. Tabs stay, which may separate.
+pub(super) fn plain(text: impl Iterator<Item = char>) -> String {
+    text.map(|c| if c.is_control() && c != '\t' { ' ' } else { c }).collect()
 }
 
 /// The beginning of a text, as errors quote it: printable, on one line.
 pub(super) fn excerpt(bytes: &[u8]) -> String {
     const MOST: usize = 60;
     let text = decode(&bytes[..bytes.len().min(4 * MOST)]);
-    let plain = text.trim().chars().map(|c| if c.is_control() { ' ' } else { c });
-    let mut short: String = plain.clone().take(MOST).collect();
-    if plain.count() > MOST {
+    let text = text.trim().replace('\t', " ");
+    let mut short: String = text.chars().take(MOST).collect();
+    if text.chars().count() > MOST {
         short.push('…');
     }
     short

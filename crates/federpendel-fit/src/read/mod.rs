@@ -5,8 +5,10 @@
 //! that are kept, `row` reads them and nothing else, `clean` puts them in order.
 
 mod archive;
+mod below;
 mod clean;
 mod column;
+mod comma;
 mod compound;
 mod error;
 mod header;
@@ -20,6 +22,7 @@ mod row;
 mod sheet;
 mod size;
 mod source;
+mod times;
 mod unit;
 
 pub use error::{Field, Found, ReadError};
@@ -28,9 +31,10 @@ pub use number::Decimal;
 pub use source::Container;
 
 use crate::{Quantity, Recording};
-use column::{Run, Times};
+use column::Run;
 use layout::Layout;
 use row::Kept;
+use times::Times;
 
 /// Most bytes of a table, unpacked.
 pub const LARGEST_TABLE: u64 = 1 << 32;
@@ -110,6 +114,11 @@ pub enum Note {
     TimeGuessed,
     /// The file gives the time no unit; seconds are assumed.
     TimeUnitAssumed,
+    /// A rate is asked for, so this column of times is not read.
+    TimeIgnored {
+        /// Its heading.
+        column: String,
+    },
     /// Neither unit nor name say what is recorded; a position is assumed.
     QuantityAssumed,
     /// Unit and name of the value contradict each other; the unit counts.
@@ -185,9 +194,9 @@ pub struct Read {
 /// # Errors
 /// What was found instead of a recording. Of several runs some may be none: a note with the others says so.
 pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError> {
-    let source = source::open(bytes, choice.table.as_deref())?;
+    let source = source::open(bytes, choice)?;
     let text = source.text.as_ref();
-    let layout = Layout::of(text)?;
+    let layout = Layout::of(text, source.container.is_workbook())?;
     let sizes = size::sizes(text, &layout);
     let runs = column::runs(&layout, &sizes, choice)?;
     let dialect = Dialect {
@@ -198,7 +207,8 @@ pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError>
         header: layout.header,
     };
     let (mut reads, mut left_out) = (Vec::<Read>::new(), Vec::new());
-    for kept in row::read(text, &layout, runs)? {
+    let kept = row::read(text, &layout, runs)?;
+    for kept in below::runs(kept, choice.run.as_deref())? {
         let name = kept.run.name.clone();
         match read(kept, &layout, &dialect) {
             Ok(read) => reads.push(read),
@@ -217,7 +227,7 @@ fn read(kept: Kept, layout: &Layout, dialect: &Dialect) -> Result<Read, ReadErro
     let run = kept.run.clone();
     let value = column::name(layout, run.value);
     let clock = match run.times {
-        Times::Column(at, _) => Clock::Column(column::name(layout, at)),
+        Times::Column(at, _) | Times::Clock(at) => Clock::Column(column::name(layout, at)),
         Times::Rate(rate) => Clock::Rate(rate),
     };
     let time = match &clock {
@@ -249,6 +259,9 @@ fn assumed(run: &Run, layout: &Layout) -> Vec<Note> {
     let mut note = |is: bool, note| notes.extend(is.then_some(note));
     note(run.time_guessed, Note::TimeGuessed);
     note(run.time_unit_assumed, Note::TimeUnitAssumed);
+    if let Some(at) = run.time_ignored {
+        note(true, Note::TimeIgnored { column: layout.headings[at].label.clone() });
+    }
     note(run.quantity_assumed, Note::QuantityAssumed);
     let (name, heading) =
         (layout.headings[run.value].named_quantity(), &layout.headings[run.value]);

@@ -110,6 +110,25 @@ fn word(cell: &[u8], decimal: Decimal) -> Cell {
     if is_missing { Cell::Missing } else { Cell::Text }
 }
 
+/// Reads a time of day or a duration, "14:32:10,5", in seconds, with either decimal sign.
+pub(super) fn clock(cell: &[u8]) -> Option<f64> {
+    let mut parts = cell.split(|byte| *byte == b':');
+    let parts = [parts.next()?, parts.next()?, parts.next()?, parts.next().unwrap_or_default()];
+    let [hours, minutes, seconds, []] = parts else { return None };
+    let number = |part: &[u8], decimal| match read(part, decimal) {
+        Cell::Number(number) if part[0].is_ascii_digit() => Some(number),
+        _ => None,
+    };
+    let whole = |part: &[u8]| {
+        let digits = part.iter().all(u8::is_ascii_digit);
+        digits.then(|| number(part, Decimal::Point)).flatten()
+    };
+    let sixty = |number: &f64| *number < 60.0;
+    let seconds = number(seconds, Decimal::Point).or_else(|| number(seconds, Decimal::Comma));
+    let minutes = whole(minutes).filter(sixty)?;
+    Some((whole(hours)? * 60.0 + minutes) * 60.0 + seconds.filter(sixty)?)
+}
+
 /// Whether a line begins with a word for nothing, which may look like a comment.
 pub(super) fn begins_missing(line: &[u8]) -> bool {
     let starts = |word: &&&str| {
@@ -148,6 +167,16 @@ mod tests {
         }
         for text in ["1.234,5", "1.5", "1,2,3", "5,"] {
             assert_eq!(read(text.as_bytes(), Decimal::Comma), Cell::Text, "{text}");
+        }
+    }
+
+    #[test]
+    fn times_of_day() {
+        assert_eq!(clock(b"14:32:10,5"), Some(52_330.5));
+        assert_eq!(clock(b"0:00:07.25"), Some(7.25));
+        for text in ["12:30", "1:60:00", "1:00:60", "1:2:3:4", "-1:00:00", "a:b:c", "::", "1:1.5:0"]
+        {
+            assert_eq!(clock(text.as_bytes()), None, "{text}");
         }
     }
 

@@ -2,11 +2,12 @@
 
 use memchr::memchr_iter;
 
-use super::column::{Run, Times};
+use super::column::Run;
 use super::error::ReadError;
 use super::layout::Layout;
 use super::line::{Cells, Line, Lines, excerpt};
 use super::number::{self, Cell};
+use super::times::Times;
 use super::unit::Unit;
 use super::{LARGEST_NUMBER, Rows};
 
@@ -22,6 +23,8 @@ pub(super) struct Kept {
     pub missing: Option<Rows>,
     /// The last line, if it ends before its cells do.
     pub cut_off: Option<usize>,
+    /// The first time of day, and the last; s.
+    clock: Option<(f64, f64)>,
     /// Rows met, for times at a rate.
     rows: usize,
     /// Rows that lack something, since the last that does not.
@@ -41,6 +44,14 @@ impl LineNumbers {
         if !follows {
             self.breaks.push((row, line));
         }
+    }
+
+    /// Takes away what is said of rows from this one on.
+    fn split_off(&mut self, row: usize) -> Self {
+        let mut rest = LineNumbers { breaks: vec![(0, self.of(row))] };
+        let at = self.breaks.partition_point(|(first, _)| *first <= row);
+        rest.breaks.extend(self.breaks.drain(at..).map(|(first, line)| (first - row, line)));
+        rest
     }
 
     /// The line of a row.
@@ -103,9 +114,9 @@ impl Reader<'_> {
         let found = cells.len();
         if found > width && cells[width..].iter().all(|cell| cell.is_empty()) {
             cells.truncate(width);
-        } else if found < width && !line.ended {
+        } else if found < self.layout.least && !line.ended {
             return Ok(Row::CutOff);
-        } else if found < width && self.several {
+        } else if found < width && (self.several || found >= self.layout.least) {
             cells.resize(width, b"");
         } else if found != width {
             return Err(ReadError::Cells { line: line.number, found, expected: width });
@@ -120,6 +131,15 @@ impl Reader<'_> {
             Cell::Number(number) if number.abs() <= LARGEST_NUMBER => Ok(Some(number)),
             Cell::Missing => Ok(None),
             other => Err(self.refuse(line, cell, at, other)),
+        }
+    }
+
+    fn clock(&self, line: usize, cells: &[&[u8]], at: usize) -> Result<Option<f64>, ReadError> {
+        let cell = cells.get(at).copied().unwrap_or_default();
+        match (number::clock(cell), number::read(cell, self.layout.decimal)) {
+            (Some(time), _) => Ok(Some(time)),
+            (None, Cell::Missing) => Ok(None),
+            (None, _) => Err(self.refuse(line, cell, at, Cell::Text)),
         }
     }
 
@@ -142,7 +162,34 @@ impl Kept {
             lines: LineNumbers::default(),
             missing: None,
             cut_off: None,
+            clock: None,
             rows: 0,
+            pending: None,
+        }
+    }
+
+    /// The time since the first time of day: of the days that it may be of, the one next to the last.
+    fn elapsed(&mut self, time: f64) -> f64 {
+        const DAY: f64 = 86_400.0;
+        let (first, last) = self.clock.unwrap_or((time, time));
+        let time = time + DAY * ((last - time) / DAY).round();
+        self.clock = Some((first, time));
+        time - first
+    }
+
+    /// Takes away the rows from this one on, a run of their own.
+    pub fn split_off(&mut self, row: usize) -> Self {
+        let lines = self.lines.split_off(row);
+        let below = |rows: &mut Rows| rows.first_line >= lines.of(0);
+        Kept {
+            run: self.run.clone(),
+            times: self.times.split_off(row),
+            values: self.values.split_off(row),
+            missing: self.missing.take_if(below),
+            lines,
+            cut_off: self.cut_off.take(),
+            clock: None,
+            rows: self.rows,
             pending: None,
         }
     }
@@ -151,6 +198,7 @@ impl Kept {
     fn take(&mut self, reader: &Reader, line: usize, cells: &[&[u8]]) -> Result<(), ReadError> {
         let time = match self.run.times {
             Times::Column(at, unit) => reader.number(line, cells, at)?.map(|time| unit.to_si(time)),
+            Times::Clock(at) => reader.clock(line, cells, at)?.map(|time| self.elapsed(time)),
             Times::Rate(rate) => Some(self.rows as f64 / rate),
         };
         self.rows += 1;

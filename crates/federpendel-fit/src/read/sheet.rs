@@ -7,22 +7,20 @@ use std::io::Cursor;
 use calamine::{DataType, ExcelDateTime, Reader, Xls, XlsError, Xlsx, XlsxError};
 
 use super::error::ReadError;
+use super::layout::START;
 use super::source::{self, Container, Source};
-use super::{LARGEST_TABLE, compound};
-
-/// Most columns of a sheet: those of .xlsx.
-const COLUMNS: u32 = 16_384;
+use super::{Choice, LARGEST_TABLE, MOST_COLUMNS, compound, line};
 
 /// Opens a workbook.
 pub(super) fn open<'a>(
     bytes: &'a [u8],
     container: Container,
-    asked: Option<&str>,
+    choice: &Choice,
 ) -> Result<Source<'a>, ReadError> {
     // On some damaged workbooks the library panics.
     let opened = std::panic::catch_unwind(|| match container {
-        Container::Xls => xls(bytes, asked),
-        _ => xlsx(bytes, asked),
+        Container::Xls => xls(bytes, choice),
+        _ => xlsx(bytes, choice),
     });
     let (table, text) = opened.unwrap_or_else(|_| {
         Err(ReadError::Damaged { reason: "the reader of workbooks stopped".to_owned() })
@@ -30,41 +28,65 @@ pub(super) fn open<'a>(
     if text.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
-    Ok(Source { text: text.into(), container, table: Some(table) })
+    Ok(Source { text: text.into(), container, table: Some(line::plain(table.chars())) })
 }
 
-fn xlsx(bytes: &[u8], asked: Option<&str>) -> Result<(String, Vec<u8>), ReadError> {
+fn xlsx(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
     let damaged = |error: XlsxError| ReadError::Damaged { reason: error.to_string() };
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
-    let table = chosen(book.sheet_names(), asked)?;
-    let mut cells = book.worksheet_cells_reader(&table).map_err(damaged)?;
-    let mut grid = Grid::default();
-    while let Some(cell) = cells.next_cell().map_err(damaged)? {
-        let (row, column) = cell.get_position();
-        grid.write(row, column, cell.get_value())?;
-    }
-    Ok((table, grid.text.into_bytes()))
+    let sheets = book.sheet_names();
+    let mut text = |sheet: &str, most: usize| {
+        let mut cells = book.worksheet_cells_reader(sheet).map_err(damaged)?;
+        let mut grid = Grid::default();
+        while grid.text.len() < most
+            && let Some(cell) = cells.next_cell().map_err(damaged)?
+        {
+            let (row, column) = cell.get_position();
+            grid.write(row, column, cell.get_value())?;
+        }
+        Ok(grid.text.into_bytes())
+    };
+    let holds = |sheet: &str| {
+        let start: Result<Vec<u8>, ReadError> = text(sheet, START);
+        start.is_ok_and(|start| source::holds_recording(&start, Container::Xlsx, choice))
+    };
+    let table = chosen(sheets, choice, holds)?;
+    let text = text(&table, usize::MAX)?;
+    Ok((table, text))
 }
 
-fn xls(bytes: &[u8], asked: Option<&str>) -> Result<(String, Vec<u8>), ReadError> {
+fn xls(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
     let damaged = |error: XlsError| ReadError::Damaged { reason: error.to_string() };
     compound::check(bytes)?;
     let mut book: Xls<_> = Xls::new(Cursor::new(bytes)).map_err(damaged)?;
-    let table = chosen(book.sheet_names(), asked)?;
-    let range = book.worksheet_range(&table).map_err(damaged)?;
-    let (top, left) = range.start().unwrap_or_default();
-    let mut grid = Grid::default();
-    for (row, column, value) in range.used_cells() {
-        grid.write(top + row as u32, left + column as u32, value)?;
-    }
-    Ok((table, grid.text.into_bytes()))
+    let sheets = book.sheet_names();
+    let mut text = |sheet: &str| {
+        let range = book.worksheet_range(sheet).map_err(damaged)?;
+        let (top, left) = range.start().unwrap_or_default();
+        let mut grid = Grid::default();
+        for (row, column, value) in range.used_cells() {
+            grid.write(top + row as u32, left + column as u32, value)?;
+        }
+        Ok(grid.text.into_bytes())
+    };
+    let holds = |sheet: &str| {
+        let whole: Result<Vec<u8>, ReadError> = text(sheet);
+        whole.is_ok_and(|text| source::holds_recording(&text, Container::Xls, choice))
+    };
+    let table = chosen(sheets, choice, holds)?;
+    let text = text(&table)?;
+    Ok((table, text))
 }
 
 /// Sheets on the device and the time of recording, which phyphox adds, are no tables.
-fn chosen(sheets: Vec<String>, asked: Option<&str>) -> Result<String, ReadError> {
+fn chosen(
+    sheets: Vec<String>,
+    choice: &Choice,
+    holds: impl FnMut(&str) -> bool,
+) -> Result<String, ReadError> {
     let mut tables: Vec<String> =
         sheets.into_iter().filter(|name| !name.to_lowercase().starts_with("metadata")).collect();
-    let at = source::choose(&tables, asked)?;
+    let at = source::choose(&tables, choice.table.as_deref(), holds)?;
     Ok(tables.swap_remove(at))
 }
 
@@ -78,13 +100,17 @@ struct Grid {
 
 impl Grid {
     fn write(&mut self, row: u32, column: u32, value: &impl DataType) -> Result<(), ReadError> {
-        if (row, column) < (self.row, self.column) || column >= COLUMNS {
+        if (row, column) < (self.row, self.column) {
             return Err(ReadError::Damaged {
                 reason: format!("cell {row}, {column} out of order"),
             });
         }
         if value.is_empty() {
             return Ok(());
+        }
+        if column as usize >= MOST_COLUMNS {
+            let found = column as usize + 1;
+            return Err(ReadError::TooManyColumns { found, most: MOST_COLUMNS });
         }
         let most = LARGEST_TABLE;
         let bytes = self.text.len() as u64 + u64::from(row - self.row) + u64::from(column);
@@ -125,14 +151,24 @@ impl Grid {
         let _ = self.text.write_fmt(arguments);
     }
 
-    /// A date or a time of day is no number of anything; let it be refused as it looks.
+    /// A time of day, with a date or without, or a duration as a clock shows it; a date alone is no number of anything
+    /// and is refused as it looks.
     fn time(&mut self, time: &ExcelDateTime) {
-        self.format(format_args!("[{} d]", time.as_f64()));
+        let days = time.as_f64();
+        let shown = if time.is_duration() { days } else { days.fract() };
+        if days < 0.0 || days >= 1.0 && shown == 0.0 {
+            return self.format(format_args!("[{days} d]"));
+        }
+        let milliseconds = (shown * 86_400_000.0).round() as u64;
+        let (seconds, milliseconds) = (milliseconds / 1000, milliseconds % 1000);
+        let (hours, minutes) = (seconds / 3600, seconds / 60 % 60);
+        let seconds = seconds % 60;
+        self.format(format_args!("{hours}:{minutes:02}:{seconds:02}.{milliseconds:03}"));
     }
 
     /// A cell of text stays one cell of one line.
     fn words(&mut self, text: &str) {
         let plain = text.trim().trim_start_matches('"');
-        self.text.extend(plain.chars().map(|c| if c.is_control() { ' ' } else { c }));
+        self.text.push_str(&line::plain(plain.chars()).replace('\t', " "));
     }
 }

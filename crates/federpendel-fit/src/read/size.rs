@@ -14,6 +14,8 @@ const BLOCK: usize = 1 << 14;
 pub(super) struct Size {
     numbers: usize,
     texts: usize,
+    /// Texts that are times of day.
+    clocks: usize,
     falls: usize,
     last: Option<f64>,
     mean_at: f64,
@@ -40,6 +42,11 @@ impl Size {
     /// Whether the column holds numbers rather than words.
     pub fn is_numeric(&self) -> bool {
         self.numbers > 0 && self.numbers >= self.texts
+    }
+
+    /// Whether the column holds times of day.
+    pub fn is_clock(&self) -> bool {
+        !self.is_numeric() && self.clocks * 2 > self.texts
     }
 
     /// Whether it rises as times do: hardly ever back, and from somewhere to elsewhere.
@@ -85,7 +92,10 @@ fn look(text: &[u8], layout: &Layout, range: std::ops::Range<usize>, sizes: &mut
         for (size, cell) in sizes.iter_mut().zip(Cells::new(line.text, layout.separator)) {
             match number::read(cell, layout.decimal) {
                 Cell::Number(value) if value.is_finite() => size.add(line.start as f64, value),
-                Cell::Text => size.texts += 1,
+                Cell::Text => {
+                    size.texts += 1;
+                    size.clocks += usize::from(number::clock(cell).is_some());
+                }
                 _ => {}
             }
         }

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 use super::error::{Found, ReadError};
+use super::layout::Layout;
 use super::line::excerpt;
-use super::{LARGEST_TABLE, archive, sheet};
+use super::{Choice, LARGEST_TABLE, archive, column, sheet, size};
 
 /// What a table came in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,6 +18,13 @@ pub enum Container {
     Xlsx,
     /// A sheet of an Excel workbook before 2007, .xls.
     Xls,
+}
+
+impl Container {
+    /// Whether this is a workbook, in whose sheets every cell stands in its column.
+    pub(super) fn is_workbook(self) -> bool {
+        matches!(self, Container::Xlsx | Container::Xls)
+    }
 }
 
 /// The text of a table.
@@ -40,18 +48,19 @@ const MAGIC: &[(&[u8], Found)] = &[
 ];
 
 /// Opens a file.
-pub(super) fn open<'a>(bytes: &'a [u8], table: Option<&str>) -> Result<Source<'a>, ReadError> {
+pub(super) fn open<'a>(bytes: &'a [u8], choice: &Choice) -> Result<Source<'a>, ReadError> {
     if bytes.is_empty() {
         return Err(ReadError::Empty);
     }
-    if bytes.starts_with(b"PK\x03\x04") {
-        return archive::open(bytes, table);
+    // The second begins an archive of no files.
+    if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
+        return archive::open(bytes, choice);
     }
     if bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
-        return sheet::open(bytes, Container::Xls, table);
+        return sheet::open(bytes, Container::Xls, choice);
     }
-    if let Some(asked) = table {
-        let asked = Some(asked.to_owned());
+    if let Some(asked) = &choice.table {
+        let asked = Some(asked.clone());
         return Err(ReadError::TableNotFound { asked, tables: Vec::new() });
     }
     Ok(Source { text: text(bytes)?, container: Container::Text, table: None })
@@ -101,8 +110,12 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
 }
 
 /// Chooses one of several tables: by its name, without its folder or extension if need be; else one of raw data, as
-/// phyphox calls its own; else the only one.
-pub(super) fn choose(tables: &[String], asked: Option<&str>) -> Result<usize, ReadError> {
+/// phyphox calls its own; else the only one, or the only one that holds a recording.
+pub(super) fn choose(
+    tables: &[String],
+    asked: Option<&str>,
+    mut holds: impl FnMut(&str) -> bool,
+) -> Result<usize, ReadError> {
     let base = |name: &str| {
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name).to_lowercase();
         name.rsplit_once('.').map_or(name.clone(), |(stem, _)| stem.to_owned())
@@ -121,6 +134,19 @@ pub(super) fn choose(tables: &[String], asked: Option<&str>) -> Result<usize, Re
         (Some(at), _) => Ok(at),
         (None, 1) => Ok(0),
         (None, 0) => Err(ReadError::TableNotFound { asked: None, tables: Vec::new() }),
-        (None, _) => Err(ReadError::SeveralTables { tables: tables.to_vec() }),
+        (None, _) => {
+            let mut held = (0..tables.len()).filter(|at| holds(&tables[*at]));
+            match (held.next(), held.next()) {
+                (Some(only), None) => Ok(only),
+                _ => Err(ReadError::SeveralTables { tables: tables.to_vec() }),
+            }
+        }
     }
+}
+
+/// Whether a table that begins so may hold a recording: numbers, and times among them or a rate.
+pub(super) fn holds_recording(start: &[u8], container: Container, choice: &Choice) -> bool {
+    let rate = Choice { rate: choice.rate, ..Choice::default() };
+    Layout::of(start, container.is_workbook())
+        .is_ok_and(|layout| column::runs(&layout, &size::sizes(start, &layout), &rate).is_ok())
 }

@@ -19,6 +19,9 @@ pub fn read_note(catalogue: &Catalogue, note: &Note) -> String {
     match note {
         Note::TimeGuessed => catalogue.text("recording-note-time"),
         Note::TimeUnitAssumed => catalogue.text("recording-note-time-unit"),
+        Note::TimeIgnored { column } => {
+            catalogue.format("recording-note-time-ignored", &[("column", excerpt(column).into())])
+        }
         Note::QuantityAssumed => catalogue.text("recording-note-quantity"),
         Note::NameContradictsUnit { name } => {
             let (quantity, _) = quantity(catalogue, *name);

@@ -13,7 +13,10 @@ pub fn read_error(catalogue: &Catalogue, error: &ReadError, file: &str) -> Strin
     let sentence = of_file(catalogue, error);
     match (error, line(error)) {
         // What was asked for does not stand in the file.
-        (ReadError::Rate { .. } | ReadError::ValueUnit { .. }, _) => sentence,
+        (
+            ReadError::Rate { .. } | ReadError::RateAndTime { .. } | ReadError::ValueUnit { .. },
+            _,
+        ) => sentence,
         (_, Some(line)) => format!("{file}:{line}: {sentence}"),
         (_, None) => format!("{file}: {sentence}"),
     }
@@ -122,6 +125,9 @@ fn of_columns(catalogue: &Catalogue, error: &ReadError) -> String {
                 ("allowed", catalogue.range(Range::Positive).into()),
             ],
         ),
+        ReadError::RateAndTime { time } => {
+            catalogue.format("recording-rate-and-time", &[("time", excerpt(time).into())])
+        }
         _ => of_rows(catalogue, error),
     }
 }
@@ -139,6 +145,9 @@ fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
         ),
         ReadError::HeaderCells { found, expected, .. } => {
             cells("recording-header-cells", *found, *expected)
+        }
+        ReadError::Commas { text, .. } => {
+            catalogue.format("recording-commas", &[("text", excerpt(text).into())])
         }
         ReadError::Cells { found, expected, .. } => cells("recording-cells", *found, *expected),
         ReadError::NoNumber { column, value, .. } => catalogue.format(
@@ -180,6 +189,7 @@ pub(super) fn line(error: &ReadError) -> Option<usize> {
         ReadError::NoTable { found, line, .. } => is_text(*found).then_some(*line),
         ReadError::NoRows { line, .. }
         | ReadError::HeaderCells { line, .. }
+        | ReadError::Commas { line, .. }
         | ReadError::Cells { line, .. }
         | ReadError::NoNumber { line, .. }
         | ReadError::OutOfRange { line, .. }

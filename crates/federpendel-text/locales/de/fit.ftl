@@ -13,9 +13,10 @@ recording-several-tables = Die Datei enthält mehrere Tabellen, und keine ist an
 recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat oder .asc liegt, oder eine Mappe mit einem Blatt voller Zahlen
 recording-no-named-tables = Als Tabelle ist „{ $asked }“ angegeben, aber in dieser Datei hat keine einen Namen; erlaubt ist, keine anzugeben
 recording-table-not-found = Als Tabelle ist „{ $asked }“ angegeben; erlaubt sind { $tables }
-recording-too-many-columns = Die Tabelle hat { $found } Spalten; erlaubt sind höchstens { $most }
+recording-too-many-columns = Die Tabelle hat mindestens { $found } Spalten; erlaubt sind höchstens { $most }
 recording-no-rows = Unter der Kopfzeile „{ $header }“ steht nichts; nötig sind mindestens { $least } Zeilen mit Zahlen
 recording-header-cells = Diese Kopfzeile hat { $found } Zellen, die Zeilen darunter { $expected }; erlaubt sind gleich viele
+recording-commas = Die Kommas in „{ $text }“ können zwischen Spalten stehen oder Dezimalzeichen sein; erlaubt ist ein Tabulator oder Semikolon zwischen den Spalten, oder eine Kopfzeile mit einer Zelle für jede Spalte
 recording-cells = Diese Zeile hat { $found ->
     [one] eine Zelle
    *[other] { $found } Zellen
@@ -39,6 +40,7 @@ recording-quantity-position = eine Auslenkung
 recording-quantity-velocity = eine Geschwindigkeit
 recording-quantity-acceleration = eine Beschleunigung
 recording-rate = Die Abtastrate ist { $value }; erlaubt ist { $allowed }
+recording-rate-and-time = --rate und --time („{ $time }“) sind beide angegeben; erlaubt ist eins davon
 recording-value-unit = --unit ist „{ $asked }“; erlaubt sind Einheiten einer Auslenkung (m, cm, mm, rad, °), einer Geschwindigkeit (m/s, rad/s, …) und einer Beschleunigung (m/s², g, …)
 recording-too-few-rows = Die Aufzeichnung hat { $rows ->
     [one] eine Zeile
@@ -64,6 +66,7 @@ found-prose = Text ohne Zeilen mit Zahlen
 
 recording-note-time = Keine Kopfzeile nennt die Zeit; dafür wird die erste Spalte genommen, deren Zahlen steigen.
 recording-note-time-unit = Die Datei nennt keine Einheit der Zeit; angenommen sind Sekunden.
+recording-note-time-ignored = Die Spalte „{ $column }“ mit Zeiten wird nicht gelesen, da eine Abtastrate angegeben ist.
 recording-note-quantity = Weder Einheit noch Name sagen, was aufgezeichnet wurde; angenommen ist eine Auslenkung.
 recording-note-name = Dem Namen nach enthält die Spalte der Werte { $quantity }, der Einheit nach nicht; es gilt die Einheit.
 recording-note-cut-off = Die letzte Zeile, { $line }, endet zu früh und ist weggelassen.

@@ -13,9 +13,10 @@ recording-several-tables = the file holds several tables and none is named (--ta
 recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat or .asc in it, or a workbook with a sheet of numbers
 recording-no-named-tables = the table asked for is “{ $asked }”, but this file holds none with a name; allowed is to ask for none
 recording-table-not-found = the table asked for is “{ $asked }”; allowed are { $tables }
-recording-too-many-columns = the table has { $found } columns; allowed are { $most } at most
+recording-too-many-columns = the table has { $found } columns or more; allowed are { $most } at most
 recording-no-rows = nothing stands below the header “{ $header }”; at least { $least } rows of numbers are needed
 recording-header-cells = this header has { $found } cells, the rows below it { $expected }; allowed are as many
+recording-commas = the commas in “{ $text }” may stand between columns or be decimal signs; allowed is a tab or semicolon between columns, or a header with a cell for each column
 recording-cells = this row has { $found ->
     [one] one cell
    *[other] { $found } cells
@@ -39,6 +40,7 @@ recording-quantity-position = a position
 recording-quantity-velocity = a velocity
 recording-quantity-acceleration = an acceleration
 recording-rate = the rate is { $value }; allowed is { $allowed }
+recording-rate-and-time = --rate and --time (“{ $time }”) are both given; allowed is one of them
 recording-value-unit = --unit is “{ $asked }”; allowed are units of a position (m, cm, mm, rad, °), of a velocity (m/s, rad/s, …) and of an acceleration (m/s², g, …)
 recording-too-few-rows = the recording has { $rows ->
     [one] one row
@@ -64,6 +66,7 @@ found-prose = text without rows of numbers
 
 recording-note-time = No header names the time; the first column, which rises, is taken for it.
 recording-note-time-unit = The file gives the time no unit; seconds are assumed.
+recording-note-time-ignored = The column “{ $column }” of times is not read, since a rate is given.
 recording-note-quantity = Neither unit nor name say what was recorded; a position is assumed.
 recording-note-name = By its name the column of values holds { $quantity }, by its unit it does not; the unit counts.
 recording-note-cut-off = The last line, { $line }, ends too early and is left out.
