@@ -71,5 +71,5 @@ fn measured(
         Ok(_) => None,
         Err(error) => Some(quantity_problem(catalogue, &error)),
     };
-    Err(flag_refusal(catalogue, info, dimension, written, problem))
+    Err(flag_refusal(catalogue, info, &[dimension], written, problem))
 }

@@ -39,3 +39,45 @@ fn a_seed_is_a_whole_number() {
         names(&refusal(&[&asked[..], &["--lang", "de"]].concat()), &[&german]);
     }
 }
+
+#[test]
+fn a_flag_is_no_value_of_another() {
+    for flag in [
+        "--from",
+        "--to",
+        "--sigma",
+        "--mass",
+        "--spring-mass",
+        "--rate",
+        "--unit",
+        "--table",
+        "--value",
+        "--noise",
+    ] {
+        let command = if flag == "--noise" { "plan" } else { "fit" };
+        names(&refusal(&[command, flag, "--details"]), &[flag, "has no value"]);
+    }
+}
+
+#[test]
+fn flags_of_a_fit_are_refused_by_their_names() {
+    for (flag, value, allowed) in [
+        ("--sigma", "0", "a length (m, "),
+        ("--sigma", "1 kg", "an acceleration (m/s^2, "),
+        ("--rate", "0 Hz", "a frequency (Hz, 1/s), a finite number greater than 0"),
+        ("--from", "1 kg", "a time (s, "),
+    ] {
+        // The file is not read: it is none.
+        names(&refusal(&["fit", "r.csv", flag, value]), &[flag, value, allowed]);
+    }
+    let reversed = ["fit", "r.csv", "--from", "5", "--to", "2"];
+    names(&refusal(&reversed), &["--from is 5 s and --to is 2 s"]);
+    names(
+        &refusal(&[&reversed[..], &["--lang", "de"]].concat()),
+        &["--from ist 5 s und --to ist 2 s"],
+    );
+    let noise = refusal(&["plan", "--noise", "0.01 g"]);
+    names(&noise, &["a length (m, ", "a velocity (m/s, ", "an acceleration (m/s^2, "]);
+    let velocity = refusal(&["plan", "--noise", "0.01 g", "--quantity", "velocity"]);
+    assert!(velocity.contains("a velocity") && !velocity.contains("a length"), "{velocity}");
+}
