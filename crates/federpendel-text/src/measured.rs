@@ -51,11 +51,14 @@ impl Rounding {
     /// None where no error is known.
     fn of(value: f64, error: f64) -> Option<Self> {
         let known = error.is_finite() && error > 0.0 && value.is_finite();
-        // The larger of both leads: its power of ten serves both where they are very large or small.
-        let exponent = value.abs().max(error).log10().floor() as i32;
-        let power = if (-4..6).contains(&exponent) { 0 } else { exponent };
-        let digit = (error / 10f64.powi(power)).log10().floor() as i32;
-        known.then_some(Self { power, decimals: (1 - digit).max(0) as usize })
+        // Of no error there is no logarithm.
+        known.then(|| {
+            // The larger of both leads: its power of ten serves both where they are very large or small.
+            let exponent = value.abs().max(error).log10().floor() as i32;
+            let power = if (-4..6).contains(&exponent) { 0 } else { exponent };
+            let digit = (error / 10f64.powi(power)).log10().floor() as i32;
+            Self { power, decimals: (1 - digit).max(0) as usize }
+        })
     }
 
     fn fixed(self, value: f64, language: Language) -> String {
@@ -84,6 +87,7 @@ mod tests {
             (-1234.5, 56.0, "−1234 ± 56 m/s²"),
             (3.2e-7, 1.1e-8, "(3.20 ± 0.11) × 10⁻⁷ m/s²"),
             (0.5, f64::NAN, "0.5 m/s²"),
+            (0.5, 0.0, "0.5 m/s²"),
         ] {
             assert_eq!(english.measured(value, error, "m/s^2"), expected);
         }
