@@ -81,3 +81,20 @@ fn flags_of_a_fit_are_refused_by_their_names() {
     let velocity = refusal(&["plan", "--noise", "0.01 g", "--quantity", "velocity"]);
     assert!(velocity.contains("a velocity") && !velocity.contains("a length"), "{velocity}");
 }
+
+#[test]
+fn a_bare_number_is_noted_and_a_vague_one_refused() {
+    let vague = refusal(&["fit", "r.csv", "--mass", "250 ± 126 g"]);
+    names(&vague, &["--mass", "250 ± 126 g", "more than half of the value"]);
+    for (flag, written, said) in [
+        ("--mass", "250±1", "--mass has no unit: 250 kg is taken."),
+        ("--stiffness", "12.0", "--stiffness has no unit: 12 N/m is taken."),
+        ("--spring-mass", "0.03(1)", "--spring-mass has no unit: 0.03 kg is taken."),
+        ("--normal-force", "2", "--normal-force has no unit: 2 N is taken."),
+    ] {
+        let workplace = Workplace::new();
+        names(&workplace.run(&["fit", "r.csv", flag, written]).err, &[said]);
+    }
+    let with_unit = Workplace::new().run(&["fit", "r.csv", "--mass", "250 ± 125 g"]);
+    assert!(!with_unit.err.contains("no unit"), "{}", with_unit.err);
+}
