@@ -59,7 +59,8 @@ pub fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failur
     let to = value(&TO, &arguments.to, &[Dimension::Time])?;
     if let Some((from, to)) = from.zip(to).filter(|(from, to)| from >= to) {
         let [from, to] = [from, to].map(|time| catalogue.exact_quantity(time, "s").into());
-        let variables = [("from", from), ("to", to)];
+        let [begin, end] = ["--from", "--to"].map(Into::into);
+        let variables = [("begin", begin), ("end", end), ("from", from), ("to", to)];
         return Err(Failure::Input(catalogue.format("fit-window-reversed", &variables)));
     }
     Ok(Options {

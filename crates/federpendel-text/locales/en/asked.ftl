@@ -5,7 +5,7 @@
 cli-missing-recording = A file with a recording is missing, as in federpendel fit recording.csv
 cli-no-seed = { $argument } is “{ $value }”; allowed is a whole number from 0 to 18446744073709551615
 quantity-or = { $one } or { $other }
-fit-window-reversed = --from is { $from } and --to is { $to }; allowed is a --from before --to
+fit-window-reversed = { $begin } is { $from } and { $end } is { $to }; allowed is a { $begin } before { $end }
 
 ### A plan
 
