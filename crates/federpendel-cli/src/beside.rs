@@ -5,7 +5,7 @@ use federpendel_fit::{Given, Measured, Normal};
 use federpendel_text::{Catalogue, excerpt};
 
 use crate::args::Beside;
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::quantity::{Dimension, parse_uncertain};
 use crate::words::{flag_refusal, quantity_problem};
 
@@ -17,6 +17,9 @@ const SPRING_MASS: ParameterInfo = ParameterInfo {
     range: Range::NonNegative,
     default: None,
 };
+
+/// Beyond this share of a value its uncertainty is too much for propagation along tangents.
+const MOST_UNCERTAIN: f64 = 0.5;
 
 /// What μ is made with: dry friction needs something to press the body on its guide.
 const PRESSES: ParameterInfo = ParameterInfo { range: Range::Positive, ..NORMAL_FORCE };
@@ -67,9 +70,25 @@ fn measured(
     catalogue: &Catalogue,
 ) -> Result<Measured, String> {
     let problem = match parse_uncertain(written, dimension) {
-        Ok(measured) if info.range.contains(measured.value) => return Ok(measured),
-        Ok(_) => None,
+        Ok(measured) if !info.range.contains(measured.value) => None,
+        Ok(measured) if measured.uncertainty > MOST_UNCERTAIN * measured.value => {
+            Some(catalogue.text("quantity-uncertainty-large"))
+        }
+        Ok(measured) => {
+            note_bare(info, written, measured, catalogue);
+            return Ok(measured);
+        }
         Err(error) => Some(quantity_problem(catalogue, &error)),
     };
-    Err(flag_refusal(catalogue, info, dimension, written, problem))
+    Err(flag_refusal(catalogue, info, &[dimension], written, problem))
+}
+
+/// Says in what unit a bare number is taken, for “250” is more often grams than kilograms.
+fn note_bare(info: &ParameterInfo, written: &str, measured: Measured, catalogue: &Catalogue) {
+    if parse_uncertain(written, Dimension::Number).is_ok() {
+        let name = format!("--{}", info.name.replace('_', "-"));
+        let value = catalogue.exact_quantity(measured.value, info.unit);
+        let variables = [("name", name.into()), ("value", value.into())];
+        note(&catalogue.format("physical-bare-number", &variables));
+    }
 }

@@ -9,8 +9,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 
 use crate::failure::Failure;
-use crate::quantity::{Dimension, parse};
-use crate::words::flag_value;
+use crate::quantity::Dimension;
+use crate::words::flag_value_of;
 
 /// Standard deviation of the noise; its unit is that of what is recorded.
 pub(crate) const NOISE: ParameterInfo = ParameterInfo {
@@ -32,19 +32,21 @@ const KINDS: [(Quantity, Dimension); 3] = [
 /// already.
 ///
 /// # Errors
-/// What is wrong with it, as for a length where nothing else fits.
+/// What is wrong with it; allowed are the units of all that can be recorded, or of what is given.
 pub(crate) fn noise(
     written: &str,
     given: Option<Quantity>,
     info: &ParameterInfo,
     catalogue: &Catalogue,
 ) -> Result<(Quantity, f64), Failure> {
-    let fits = |(quantity, dimension): &&(Quantity, Dimension)| match given {
-        Some(given) => *quantity == given,
-        None => parse(written, *dimension).is_ok(),
-    };
-    let (quantity, dimension) = KINDS.iter().find(fits).copied().unwrap_or(KINDS[0]);
-    let deviation = flag_value(catalogue, info, dimension, written).map_err(Failure::Input)?;
+    let known =
+        KINDS.into_iter().filter(|(quantity, _)| given.is_none_or(|given| given == *quantity));
+    let (quantities, dimensions): (Vec<_>, Vec<_>) = known.unzip();
+    let (dimension, deviation) =
+        flag_value_of(catalogue, info, &dimensions, written).map_err(Failure::Input)?;
+    let fits = |(_, one): &(&Quantity, &Dimension)| **one == dimension;
+    let found = quantities.iter().zip(&dimensions).find(fits);
+    let quantity = found.map_or(Quantity::Position, |(quantity, _)| *quantity);
     Ok((quantity, deviation))
 }
 
@@ -62,7 +64,7 @@ impl Sensor {
     /// number is metres.
     ///
     /// # Errors
-    /// What is wrong with it, as for a length.
+    /// What is wrong with it.
     pub(crate) fn named(written: &str, seed: u64, catalogue: &Catalogue) -> Result<Self, Failure> {
         let (recorded, deviation) = noise(written, None, &NOISE, catalogue)?;
         Ok(Sensor { recorded, deviation, seed })

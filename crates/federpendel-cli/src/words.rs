@@ -8,7 +8,7 @@ mod syntax;
 mod too_long;
 
 pub use experiment::experiment_error;
-pub use quantity::{allowed, flag_refusal, flag_value, quantity_problem};
+pub use quantity::{allowed, flag_refusal, flag_value, flag_value_of, quantity_problem};
 pub(crate) use remark::remark;
 pub(crate) use samples::samples_fault;
 pub(crate) use too_long::too_long_step;

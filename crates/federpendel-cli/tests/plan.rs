@@ -154,3 +154,18 @@ fn what_makes_no_plan_is_refused() {
         assert!(finished.out.is_empty() && workplace.files().is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn too_few_swings_are_not_taken_for_noise() {
+    let workplace = Workplace::new();
+    // Dry friction shifts the middle by f = a_c/ω0² = 4.9 mm: below nine times that the mass rests within five swings.
+    let english = workplace.run(&["plan", "--noise", "0.1 mm"]);
+    assert!(
+        english.out.contains("fewer than five swings (half periods) remain"),
+        "{}",
+        english.out
+    );
+    assert!(!english.out.contains("does not show"), "{}", english.out);
+    let german = workplace.run(&["plan", "--noise", "0.1 mm", "--lang", "de"]);
+    assert!(german.out.contains("weniger als fünf Halbschwingungen"), "{}", german.out);
+}

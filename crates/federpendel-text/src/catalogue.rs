@@ -100,11 +100,12 @@ macro_rules! locale {
             include_str!(concat!("../locales/", $folder, "/physical.ftl")),
             include_str!(concat!("../locales/", $folder, "/plan.ftl")),
             include_str!(concat!("../locales/", $folder, "/measured.ftl")),
+            include_str!(concat!("../locales/", $folder, "/asked.ftl")),
         ]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 9] {
+fn sources(language: Language) -> [&'static str; 10] {
     match language {
         Language::English => locale!("en"),
         Language::German => locale!("de"),

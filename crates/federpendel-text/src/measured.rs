@@ -86,6 +86,7 @@ mod tests {
             (-1234.5, 56.0, "−1234 ± 56 m/s²"),
             (3.2e-7, 1.1e-8, "(3.20 ± 0.11) × 10⁻⁷ m/s²"),
             (0.5, f64::NAN, "0.5 m/s²"),
+            (0.5, 0.0, "0.5 m/s²"),
         ] {
             assert_eq!(english.measured(value, error, "m/s^2"), expected);
         }

@@ -170,7 +170,7 @@ fn only_laws_that_act_are_named_and_many_swings_are_marked_in_part() {
     let plot = decrement(Language::English, &motion(stokes, 0.1), 300);
     assert_drawn(&plot);
     let roles: Vec<_> = plot.series.iter().map(|series| series.role).collect();
-    assert_eq!(roles, [Role::Swings, Role::Exact, Role::Stokes]);
+    assert_eq!(roles, [Role::Swings, Role::Stokes]);
     assert_eq!(plot.series[0].name, "Swings (1 in 7)");
     assert!(plot.description.contains("300 swings lose"), "{}", plot.description);
     let plot = decrement(Language::English, &motion(Friction::NONE, 0.1), 10);

@@ -214,6 +214,9 @@ fn noise(catalogue: &Catalogue) -> [Arg; 2] {
         Arg::new("seed")
             .long("seed")
             .value_name(catalogue.text("cli-value-number"))
+            // “-1” is a bad seed, not an unknown flag.
+            .allow_negative_numbers(true)
+            // The only value that clap reads as a number: its refusal stands for that of a seed.
             .value_parser(value_parser!(u64))
             .help(catalogue.text("cli-seed")),
     ]

@@ -71,10 +71,14 @@ pub(super) fn sentence(
             ),
         },
         ErrorKind::ArgumentConflict => say("cli-given-twice"),
+        ErrorKind::MissingRequiredArgument if command.is_some_and(|command| command == "fit") => {
+            catalogue.text("cli-missing-recording")
+        }
         ErrorKind::MissingRequiredArgument => catalogue.format(
             "cli-missing-argument",
             &[("argument", argument.as_str().into()), ("allowed", shells().into())],
         ),
+        ErrorKind::ValueValidation => say("cli-no-seed"),
         ErrorKind::TooManyValues => say("cli-no-value-allowed"),
         ErrorKind::InvalidUtf8 => catalogue.text("cli-argument-not-utf8"),
         _ => error.render().to_string().trim().trim_start_matches("error: ").to_owned(),
@@ -108,7 +112,7 @@ fn allowed(error: &clap::Error) -> String {
     words(error.get(ContextKind::ValidValue))
 }
 
-/// The shells; theirs is the only argument that must be given.
+/// The shells; besides recordings theirs is the only argument that must be given.
 fn shells() -> String {
     Shell::value_variants().iter().map(Shell::to_string).collect::<Vec<_>>().join(", ")
 }

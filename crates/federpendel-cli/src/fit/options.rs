@@ -1,14 +1,15 @@
 //! What the arguments of `fit` choose.
 
 use federpendel::Mix;
+use federpendel::parameter::{ParameterInfo, Range};
 use federpendel_fit::read::Choice;
 use federpendel_fit::{Bootstrap, Intervals, Laws, Loss, Options};
 use federpendel_text::Catalogue;
 
 use crate::args::Fit;
 use crate::failure::Failure;
-use crate::quantity::{self, Dimension, parse};
-use crate::words::quantity_problem;
+use crate::quantity::{Dimension, parse};
+use crate::words::flag_value_of;
 
 /// Refits for intervals from a bootstrap: enough for the ends of the middle 95 % to be sure to a tenth.
 const BOOTSTRAP: Bootstrap = Bootstrap { repeats: 1000, seed: 1 };
@@ -24,6 +25,20 @@ pub const INTERVALS: [(&str, Intervals); 3] = [
 pub const LOSSES: [(&str, Loss); 3] =
     [("squares", Loss::Squares), ("huber", Loss::Huber), ("tukey", Loss::Tukey)];
 
+/// The flags with quantities.
+const RATE: ParameterInfo = flag("rate", Range::Positive);
+const SIGMA: ParameterInfo = flag("sigma", Range::Positive);
+const FROM: ParameterInfo = flag("from", Range::Finite);
+const TO: ParameterInfo = flag("to", Range::Finite);
+
+const fn flag(name: &'static str, range: Range) -> ParameterInfo {
+    ParameterInfo { name, symbol: "", unit: "", range, default: None }
+}
+
+/// What a standard deviation may measure; a number is in the unit of the values.
+const SIGMAS: [Dimension; 4] =
+    [Dimension::Number, Dimension::Length, Dimension::Velocity, Dimension::Acceleration];
+
 /// What is read of each file.
 pub fn choice(arguments: &Fit, catalogue: &Catalogue) -> Result<Choice, Failure> {
     Ok(Choice {
@@ -33,22 +48,26 @@ pub fn choice(arguments: &Fit, catalogue: &Catalogue) -> Result<Choice, Failure>
         unit: arguments.unit.clone(),
         run: arguments.run.clone(),
         table: arguments.table.clone(),
-        rate: value("rate", &arguments.rate, Dimension::Frequency, catalogue)?,
+        rate: value(&RATE, &arguments.rate, &[Dimension::Frequency], catalogue)?,
     })
 }
 
 /// The choices for the fit.
 pub fn options(arguments: &Fit, catalogue: &Catalogue) -> Result<Options, Failure> {
-    let value = |name, written, dimension| value(name, written, dimension, catalogue);
+    let value = |info, written, dimensions| value(info, written, dimensions, catalogue);
+    let from = value(&FROM, &arguments.from, &[Dimension::Time])?;
+    let to = value(&TO, &arguments.to, &[Dimension::Time])?;
+    if let Some((from, to)) = from.zip(to).filter(|(from, to)| from >= to) {
+        let [from, to] = [from, to].map(|time| catalogue.exact_quantity(time, "s").into());
+        let [begin, end] = ["--from", "--to"].map(Into::into);
+        let variables = [("begin", begin), ("end", end), ("from", from), ("to", to)];
+        return Err(Failure::Input(catalogue.format("fit-window-reversed", &variables)));
+    }
     Ok(Options {
         laws: laws(arguments.laws.as_deref(), catalogue)?,
-        from: value("from", &arguments.from, Dimension::Time)?,
-        to: value("to", &arguments.to, Dimension::Time)?,
-        sigma: value(
-            "sigma",
-            &arguments.sigma,
-            sigma_dimension(arguments.sigma.as_deref().unwrap_or_default()),
-        )?,
+        from,
+        to,
+        sigma: value(&SIGMA, &arguments.sigma, &SIGMAS)?,
         loss: arguments.loss,
         intervals: arguments.intervals,
         ..Options::default()
@@ -64,32 +83,20 @@ pub fn sigma_unit(arguments: &Fit) -> Option<&'static str> {
 
 /// What a standard deviation measures.
 fn sigma_dimension(written: &str) -> Dimension {
-    let all = [Dimension::Number, Dimension::Length, Dimension::Velocity, Dimension::Acceleration];
     let fits = |dimension: &Dimension| parse(written, *dimension).is_ok();
-    all.into_iter().find(fits).unwrap_or(Dimension::Number)
+    SIGMAS.into_iter().find(fits).unwrap_or(Dimension::Number)
 }
 
-/// A quantity, if it is written.
+/// A quantity of one of the dimensions, if it is written.
 fn value(
-    name: &str,
+    info: &ParameterInfo,
     written: &Option<String>,
-    dimension: Dimension,
+    dimensions: &[Dimension],
     catalogue: &Catalogue,
 ) -> Result<Option<f64>, Failure> {
-    let Some(written) = written else { return Ok(None) };
-    match parse(written, dimension) {
-        Ok(value) => Ok(Some(value)),
-        Err(error) => Err(refused(name, written, &error, catalogue)),
-    }
-}
-
-fn refused(name: &str, written: &str, error: &quantity::Error, catalogue: &Catalogue) -> Failure {
-    let variables = [
-        ("name", format!("--{name}").into()),
-        ("value", catalogue.quoted(written).into()),
-        ("problem", quantity_problem(catalogue, error).into()),
-    ];
-    Failure::Input(catalogue.format("fit-option-refused", &variables))
+    let read = |written: &String| flag_value_of(catalogue, info, dimensions, written);
+    let found = written.as_ref().map(read).transpose().map_err(Failure::Input)?;
+    Ok(found.map(|(_, value)| value))
 }
 
 /// The laws: `auto` for those that show, `none`, or a list of those that act.

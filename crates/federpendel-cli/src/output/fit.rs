@@ -58,9 +58,7 @@ fn render(
         (Format::Json, _) => json::write_fits(fits, catalogue, out),
         (Format::Csv, fitted) => csv::write(fitted, targets.dialect, catalogue, out),
         (Format::Summary, [fit]) => summary::write(fit, picture, targets, catalogue, out),
-        (Format::Summary, many) => many
-            .iter()
-            .try_for_each(|fit| summary::write_short(fit, picture, targets, catalogue, out)),
+        (Format::Summary, many) => summary::write_many(many, picture, targets, catalogue, out),
         _ => Err(io::ErrorKind::Unsupported.into()),
     }
 }

@@ -161,7 +161,7 @@ fn refusal(catalogue: &Catalogue, name: &str, value: &str, allowed: &str) -> Str
 fn field_allowed(catalogue: &Catalogue, field: Field) -> String {
     match (field.dimension(), field.info().range) {
         (Dimension::Number, range @ Range::CountFromTwo) => catalogue.range(range),
-        (dimension, range) => allowed(catalogue, dimension, range),
+        (dimension, range) => allowed(catalogue, &[dimension], range),
     }
 }
 

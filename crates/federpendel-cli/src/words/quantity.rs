@@ -70,24 +70,42 @@ pub fn flag_value(
     dimension: Dimension,
     written: &str,
 ) -> Result<f64, String> {
-    let value = crate::quantity::parse(written, dimension);
+    flag_value_of(catalogue, info, &[dimension], written).map(|(_, value)| value)
+}
+
+/// The value of a flag that may have one of several dimensions, SI, with the first that fits.
+///
+/// # Errors
+/// The sentence that refuses it and names the units of all of them.
+pub fn flag_value_of(
+    catalogue: &Catalogue,
+    info: &ParameterInfo,
+    dimensions: &[Dimension],
+    written: &str,
+) -> Result<(Dimension, f64), String> {
+    let read = |&dimension: &Dimension| {
+        crate::quantity::parse(written, dimension).map(|value| (dimension, value))
+    };
+    let mut values = dimensions.iter().map(read);
+    let first = values.next().unwrap_or(Err(Error::Empty));
+    let value = first.or_else(|error| values.find_map(Result::ok).ok_or(error));
     let problem = match &value {
-        Ok(value) if info.range.contains(*value) => return Ok(*value),
+        Ok(found) if info.range.contains(found.1) => return Ok(*found),
         Ok(_) => None,
         Err(error) => Some(quantity_problem(catalogue, error)),
     };
-    Err(flag_refusal(catalogue, info, dimension, written, problem))
+    Err(flag_refusal(catalogue, info, dimensions, written, problem))
 }
 
 /// The sentence that refuses the flag of a parameter as `written`; without a problem its value is out of range.
 pub fn flag_refusal(
     catalogue: &Catalogue,
     info: &ParameterInfo,
-    dimension: Dimension,
+    dimensions: &[Dimension],
     written: &str,
     problem: Option<String>,
 ) -> String {
-    let allowed = allowed(catalogue, dimension, info.range);
+    let allowed = allowed(catalogue, dimensions, info.range);
     let name = format!("--{}", info.name.replace('_', "-"));
     let mut variables = vec![
         ("name", name.into()),
@@ -104,13 +122,16 @@ pub fn flag_refusal(
 }
 
 /// What is allowed for a quantity: “a mass (kg, g, mg, t, lb), a finite number greater than 0”.
-pub fn allowed(catalogue: &Catalogue, dimension: Dimension, range: Range) -> String {
+pub fn allowed(catalogue: &Catalogue, dimensions: &[Dimension], range: Range) -> String {
     let range = catalogue.range(range);
-    if dimension == Dimension::Number {
-        return range;
-    }
-    let units = dimension.units().join(", ");
-    format!("{} ({units}), {range}", measure(catalogue, dimension))
+    let named = dimensions.iter().filter(|dimension| **dimension != Dimension::Number);
+    let measures = named.map(|dimension| {
+        format!("{} ({})", measure(catalogue, *dimension), dimension.units().join(", "))
+    });
+    let either = |one: String, other: String| {
+        catalogue.format("quantity-or", &[("one", one.into()), ("other", other.into())])
+    };
+    measures.reduce(either).map_or(range.clone(), |measures| format!("{measures}, {range}"))
 }
 
 /// “a mass”.

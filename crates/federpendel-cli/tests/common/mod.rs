@@ -10,6 +10,7 @@ use tempfile::TempDir;
 pub struct Workplace(TempDir);
 
 /// What a run left behind.
+#[allow(dead_code, reason = "each test file uses some")]
 pub struct Finished {
     /// Exit status.
     pub status: Option<i32>,

@@ -56,7 +56,10 @@ fn drowned(catalogue: &Catalogue, plan: &Plan) -> Option<String> {
     let (amplitude, law) = drowned.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let variables =
         [("amplitude", length(catalogue, amplitude)), ("law", name(catalogue, law).into())];
-    Some(catalogue.format("plan-drowns", &variables))
+    // Where too few swings remain nothing is planned, however well the law might show.
+    let planned = plan.rows.iter().any(|row| row.amplitude == amplitude && row.longest > 0.0);
+    let id = if planned { "plan-drowns" } else { "plan-too-few-swings" };
+    Some(catalogue.format(id, &variables))
 }
 
 /// A law that even the largest amplitude does not resolve, and what would.

@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
+use federpendel_fit::{Estimate, damping};
 use federpendel_text::Catalogue;
 
+use super::physical::value;
 use super::writer::{set, unbroken};
 use super::{Fitted, sentences};
 use crate::document::{Block, Row, Section, literal};
@@ -16,10 +18,27 @@ pub fn section(
     catalogue: &Catalogue,
 ) -> Section {
     let rows = fits.iter().zip(names).zip(targets).map(|((fit, name), target)| {
-        let cells = vec![literal(name), frequency(fit, catalogue), verdict(fit, catalogue)];
+        let figures = damping(&fit.report).filter(|_| fit.report.adequacy.adequate);
+        let [ratio, quality] = match figures {
+            Some(figures) => [figures.damping_ratio, figures.quality_factor],
+            None => [None; 2],
+        };
+        let cells = vec![
+            literal(name),
+            frequency(fit, catalogue),
+            figure(ratio, catalogue),
+            figure(quality, catalogue),
+            verdict(fit, catalogue),
+        ];
         Row { cells, target: Some(target.clone()), marked: false }
     });
-    let head = ["measured-head-recording", "fit-row-frequency", "measured-head-verdict"];
+    let head = [
+        "measured-head-recording",
+        "fit-row-frequency",
+        "fit-row-damping-ratio",
+        "derived-quality-factor",
+        "measured-head-verdict",
+    ];
     let table = Block::Table {
         caption: catalogue.text("measured-summary-caption"),
         head: head.map(|head| catalogue.text(head)).into(),
@@ -41,6 +60,14 @@ fn frequency(fit: &Fitted, catalogue: &Catalogue) -> String {
         |(value, error)| {
             unbroken(&catalogue.measured(value / (2.0 * PI), error / (2.0 * PI), "Hz"))
         },
+    )
+}
+
+/// A figure of Stokes friction with its error, where that acts.
+fn figure(figure: Option<Estimate>, catalogue: &Catalogue) -> String {
+    figure.map_or_else(
+        || catalogue.text("measured-none"),
+        |figure| unbroken(&value(catalogue, &figure)),
     )
 }
 

@@ -624,7 +624,6 @@ cli-fit-output = Datei, deren Endung die Form bestimmt: { $forms }; auch mehrfac
 cli-fit-intervals = Wie die 95-%-Intervalle bestimmt werden: profile (Vorgabe, aus Profilen der Fehlerquadratsumme), covariance (aus Standardfehlern) oder bootstrap (Anpassungen an neu gezogene Residuen)
 cli-fit-loss = Wie Residuen zählen: squares (Vorgabe, als Quadrate) oder huber oder tukey, die sich von Ausreißern nicht beirren lassen
 cli-fit-format = Was die Standardausgabe bekommt: summary (Vorgabe, kurz gefasst), csv (eine Zeile je Aufzeichnung) oder json
-fit-option-refused = { $name } ist { $value }: { $problem }
 fit-laws-refused = --laws nennt „{ $value }“; erlaubt sind auto, none, stokes, coulomb, newton
 fit-pictures-of-one = Ein Bild zeigt eine Aufzeichnung; angepasst sind { $count }. Wähle eine Datei oder mit --run einen Durchlauf
 fit-title = { $name }: { $quantity }

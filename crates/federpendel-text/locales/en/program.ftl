@@ -624,7 +624,6 @@ cli-fit-output = File to write, by its extension: { $forms }; may be repeated
 cli-fit-intervals = How 95 % intervals are found: profile (default: of the sum of squares), covariance (from standard errors) or bootstrap (refits to residuals drawn anew)
 cli-fit-loss = How residuals count: squares (default), or huber or tukey, which outliers do not sway
 cli-fit-format = What standard output gets: summary (default), csv (a row for each recording) or json
-fit-option-refused = { $name } is { $value }: { $problem }
 fit-laws-refused = --laws names “{ $value }”; allowed are auto, none, stokes, coulomb, newton
 fit-pictures-of-one = A picture shows one recording; { $count } were fitted. Choose one, or its --run
 fit-title = { $name }: { $quantity }

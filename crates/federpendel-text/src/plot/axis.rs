@@ -16,6 +16,8 @@ pub struct Axis {
     pub with_zero: bool,
     /// The range beyond which nothing is shown, in the unit of the axis.
     pub limits: Option<(f64, f64)>,
+    /// What is shown even where no point is, in the unit of the axis.
+    pub whole: Option<[f64; 2]>,
 }
 
 /// How values are laid out along an axis.
@@ -47,7 +49,7 @@ impl Axis {
             let [name, symbol] = name_and_symbol;
             catalogue.format("plot-axis", &[name, symbol, ("unit", unit.into())])
         };
-        Self { label, unit_size, scale: Scale::Linear, with_zero: false, limits: None }
+        Self { label, unit_size, scale: Scale::Linear, with_zero: false, limits: None, whole: None }
     }
 
     /// The same axis with equal ratios equally far apart.
@@ -65,6 +67,12 @@ impl Axis {
         Self { limits: Some((low / self.unit_size, high / self.unit_size)), ..self }
     }
 
+    /// The same axis from `low` to `high` (SI), wherever the points are.
+    pub fn spanning(self, low: f64, high: f64) -> Self {
+        let whole = Some([low / self.unit_size, high / self.unit_size]);
+        Self { whole, ..self }
+    }
+
     /// Whether `value`, in the unit of the axis, lies within the limits.
     pub(super) fn shows(&self, value: f64) -> bool {
         self.limits.is_none_or(|(low, high)| (low..=high).contains(&value))
@@ -72,7 +80,8 @@ impl Axis {
 
     /// What the axis spans to show `values` as far as it may.
     pub(super) fn span(&self, values: impl Iterator<Item = f64>) -> Span {
-        let values = values.chain(self.with_zero.then_some(0.0));
+        let values =
+            values.chain(self.with_zero.then_some(0.0)).chain(self.whole.into_iter().flatten());
         match self.limits {
             Some((low, high)) if low < high => {
                 let mut values = values.map(|value| value.clamp(low, high)).peekable();

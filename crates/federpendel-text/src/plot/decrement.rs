@@ -52,6 +52,12 @@ impl Plot {
             (count, _) => catalogue.format("measured-swings", &[("count", count.into())]),
         };
         plot.add(name, Role::Swings, markers, swings.iter().copied().step_by(stride));
+        // A single part is all of the law.
+        if let [part] = &parts[..] {
+            let name = format!("{formula}: {}", part.name);
+            plot.add(name, part.role, Style::WIDE, curve(&parts, largest));
+            return plot;
+        }
         if !parts.is_empty() {
             let name = catalogue.format("plot-decrement-law", &[("formula", formula.into())]);
             plot.add(name, Role::Exact, Style::WIDE, curve(&parts, largest));

@@ -74,6 +74,8 @@ impl Plot {
             .zip(data.fitted)
             .map(|(value, fit)| value - fit)
             .collect();
+        let residual = catalogue.text("plot-residual-axis");
+        let data = &RecordingData { quantity: &residual, ..*data };
         let mut plot = frame(catalogue, data, &residuals);
         let square = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len().max(1) as f64;
         plot.description = catalogue.format(
@@ -89,6 +91,10 @@ impl Plot {
 fn frame(catalogue: &Catalogue, data: &RecordingData<'_>, values: &[f64]) -> Plot {
     let end = data.times.last().copied().unwrap_or(0.0).abs();
     let time = Axis::new(catalogue, &catalogue.text("plot-time"), "t", "s", end);
+    let time = match data.times {
+        [first, .., last] => time.spanning(*first, *last),
+        _ => time,
+    };
     let (low, high) = extremes(values);
     let unit = if data.unit.is_empty() { "1" } else { data.unit };
     let value = Axis::new(catalogue, data.quantity, data.symbol, unit, low.abs().max(high.abs()));

@@ -2,108 +2,153 @@
 
 use std::io::{self, Write};
 
-use federpendel_fit::physical::Answer;
-use federpendel_fit::{Model, Parameters};
+use federpendel_fit::physical::Absent;
+use federpendel_fit::{Damping, Estimate, Given, Model, Parameters, Physical, damping};
 use federpendel_report::recording::{Fitted, sentences};
 use federpendel_text::Catalogue;
 
 use super::super::csv::{Dialect, cell, records};
 use super::names::{law_names, quantity_name};
 
-/// The parameters that have columns, in their order.
-fn parameters() -> impl Iterator<Item = &'static str> {
-    Parameters::NAMES.into_iter().chain(["static_acceleration"])
+/// What stands in the columns of each parameter and physical number, after its name.
+const ENDS: [&str; 4] = ["", "_stderr", "_low95", "_high95"];
+
+/// A cell; of what is not known, or not in the mix, it is empty.
+enum Cell {
+    Text(String),
+    Number(Option<f64>),
 }
 
-/// What stands in the columns of each parameter, after its name.
-const OF_PARAMETER: [&str; 4] = ["", "_stderr", "_low95", "_high95"];
+/// A cell below the name of its column.
+type Column = (String, Cell);
 
-/// The physical numbers, in the order of [`Physical::numbers`].
-const PHYSICAL: [&str; 8] = [
-    "mass",
-    "moving_mass",
-    "stiffness",
-    "damping",
-    "coulomb_force",
-    "newton_coefficient",
-    "kinetic",
-    "static",
-];
-
-/// The columns before those of the parameters, and after them.
-const BEFORE: [&str; 9] =
-    ["name", "quantity", "unit", "length_unit", "laws", "adequate", "n", "from", "to"];
-const AFTER: [&str; 5] = ["rest_time", "rest_position", "rms", "aicc", "verdict"];
-
-/// A row for each fit; cells of what is not known, or not in the mix, are empty.
+/// A row for each fit. All have the same columns.
 pub(super) fn write(
     fits: &[Fitted],
     dialect: Dialect,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let of_parameters =
-        parameters().flat_map(|name| OF_PARAMETER.map(|end| format!("{name}{end}")));
-    let of_numbers =
-        PHYSICAL.into_iter().flat_map(|name| OF_PARAMETER.map(|end| format!("{name}{end}")));
-    let header: Vec<String> = BEFORE
-        .iter()
-        .map(ToString::to_string)
-        .chain(of_parameters)
-        .chain(of_numbers)
-        .chain(AFTER.iter().map(ToString::to_string))
-        .collect();
-    let rows = fits.iter().filter_map(|fit| {
-        let model = fit.report.best()?;
-        let number = |value: Option<f64>| value.map_or(String::new(), |value| cell(value, dialect));
-        let mut row = before(fit, number);
-        row.extend(parameters().flat_map(|name| of_parameter(model, name)).map(number));
-        row.extend(physical(fit).into_iter().map(number));
-        row.extend(after(model).map(number));
-        row.push(sentences(fit, catalogue).join(" "));
-        Some(row)
-    });
+    let row = |fit: &Fitted| Some(columns(fit, fit.report.best()?, catalogue));
+    let rows: Vec<Vec<Column>> = fits.iter().filter_map(row).collect();
+    let header: Vec<String> =
+        rows.first().into_iter().flatten().map(|(name, _)| name.clone()).collect();
+    let written = |(_, found): Column| match found {
+        Cell::Text(text) => text,
+        Cell::Number(number) => number.map_or(String::new(), |number| cell(number, dialect)),
+    };
+    let rows = rows.into_iter().map(|row| row.into_iter().map(written).collect());
     records(&header, rows, dialect, out)
 }
 
-fn before(fit: &Fitted, number: impl Fn(Option<f64>) -> String) -> Vec<String> {
+/// All of a row.
+fn columns(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Vec<Column> {
+    let mut columns = about(fit);
+    for name in Parameters::NAMES.into_iter().chain(["static_acceleration"]) {
+        let found = model.parameter(name);
+        let interval = found.map(|found| found.interval95).unwrap_or_default();
+        let value = found.and_then(|found| found.value);
+        columns.extend(number(name, value, found.and_then(|found| found.stderr), interval));
+    }
+    columns.extend(figures(damping(&fit.report).as_ref()));
+    for (name, answer) in fit.physical.unwrap_or(NOTHING_BESIDE).numbers() {
+        let one = answer.ok();
+        let interval = one.map(|one| one.interval95).unwrap_or_default();
+        let (value, error) = (one.and_then(|one| one.value), one.and_then(|one| one.stderr));
+        columns.extend(number(name, value, error, interval));
+    }
+    let rest = model.rest.as_ref();
+    columns.extend([
+        of("rest_time", rest.map(|rest| rest.time)),
+        of("rest_position", rest.map(|rest| rest.position)),
+        of("rms", Some(model.rms)),
+        of("aicc", Some(model.criteria.aicc)),
+        text("verdict", sentences(fit, catalogue).join(" ")),
+    ]);
+    columns
+}
+
+/// What was fitted, and whether the mix describes it.
+fn about(fit: &Fitted) -> Vec<Column> {
     let report = &fit.report;
     vec![
-        fit.name.clone(),
-        quantity_name(report.quantity).to_owned(),
-        report.unit.clone(),
-        report.length_unit(),
-        law_names(report.verdict.mix).join("+"),
-        report.adequacy.adequate.to_string(),
-        report.samples.to_string(),
-        number(Some(report.window.from)),
-        number(Some(report.window.to)),
+        text("name", harmless(&fit.name)),
+        text("quantity", quantity_name(report.quantity).to_owned()),
+        text("unit", report.unit.clone()),
+        text("length_unit", report.length_unit()),
+        text("laws", law_names(report.verdict.mix).join("+")),
+        text("adequate", report.adequacy.adequate.to_string()),
+        text("n", report.samples.to_string()),
+        of("from", Some(report.window.from)),
+        of("to", Some(report.window.to)),
     ]
 }
 
-fn of_parameter(model: &Model, name: &str) -> [Option<f64>; OF_PARAMETER.len()] {
-    let Some(found) = model.parameter(name) else { return [None; 4] };
-    [found.value, found.stderr, found.interval95.0, found.interval95.1]
+/// Engineers' figures, and the equivalent damping ratio at the first and the last amplitude.
+fn figures(damping: Option<&Damping>) -> Vec<Column> {
+    let single = [
+        ("natural_frequency", damping.map(|one| one.natural_frequency)),
+        ("damping_ratio", damping.and_then(|one| one.damping_ratio)),
+        ("quality_factor", damping.and_then(|one| one.quality_factor)),
+        ("logarithmic_decrement", damping.and_then(|one| one.logarithmic_decrement)),
+    ];
+    let with_error = |(name, figure): (&str, Option<Estimate>)| {
+        let error = of(&format!("{name}_stderr"), figure.and_then(|one| one.stderr));
+        [of(name, figure.and_then(|one| one.value)), error]
+    };
+    let mut columns: Vec<_> = single.into_iter().flat_map(with_error).collect();
+    let equivalent = damping.map(|one| &one.equivalent[..]).unwrap_or_default();
+    for (end, one) in [("first", equivalent.first()), ("last", equivalent.last())] {
+        let name = format!("equivalent_damping_{end}");
+        let error = one.and_then(|one| one.stderr);
+        let amplitude = one.map(|one| one.amplitude);
+        columns.extend([
+            of(&name, one.map(|one| one.damping_ratio)),
+            of(&format!("{name}_stderr"), error),
+            of(&format!("{name}_amplitude"), amplitude),
+        ]);
+    }
+    columns
 }
 
-/// The physical numbers that are known, SI.
-fn physical(fit: &Fitted) -> Vec<Option<f64>> {
-    let Some(physical) = &fit.physical else {
-        return vec![None; PHYSICAL.len() * OF_PARAMETER.len()];
-    };
-    let cells = |answer: Answer| {
-        answer.map_or([None; 4], |one| [one.value, one.stderr, one.interval95.0, one.interval95.1])
-    };
-    physical.numbers().into_iter().flat_map(|(_, answer)| cells(answer)).collect()
+/// What is known where nothing was measured beside the recording.
+const NOTHING_BESIDE: Physical = Physical {
+    given: Given { mass: None, stiffness: None, spring_mass: None, normal: None },
+    mass: Err(Absent::Mass),
+    moving_mass: Err(Absent::Mass),
+    stiffness: Err(Absent::Mass),
+    damping: Err(Absent::Mass),
+    coulomb_force: Err(Absent::Mass),
+    newton_coefficient: Err(Absent::Mass),
+    kinetic: Err(Absent::Mass),
+    static_: Err(Absent::Mass),
+    agreement: None,
+};
+
+/// The columns of a number with its error and its 95 % interval.
+fn number(
+    name: &str,
+    value: Option<f64>,
+    stderr: Option<f64>,
+    interval95: (Option<f64>, Option<f64>),
+) -> [Column; ENDS.len()] {
+    let cells = [value, stderr, interval95.0, interval95.1];
+    std::array::from_fn(|i| of(&format!("{name}{}", ENDS[i]), cells[i]))
 }
 
-/// All columns of `AFTER` but the last, which is text.
-fn after(model: &Model) -> [Option<f64>; AFTER.len() - 1] {
-    let rest = model.rest.as_ref();
-    [
-        rest.map(|rest| rest.time),
-        rest.map(|rest| rest.position),
-        Some(model.rms),
-        Some(model.criteria.aicc),
-    ]
+fn of(name: &str, number: Option<f64>) -> Column {
+    (name.to_owned(), Cell::Number(number))
+}
+
+fn text(name: &str, cell: String) -> Column {
+    (name.to_owned(), Cell::Text(cell))
+}
+
+/// A file of this name as no spreadsheet takes it for a formula: `./=1+1.csv`.
+fn harmless(name: &str) -> String {
+    if name.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        format!("./{name}")
+    } else {
+        name.to_owned()
+    }
 }

@@ -17,6 +17,9 @@ use super::{Picture, details};
 /// Rows besides the picture.
 const ROWS_BESIDES: usize = 16;
 
+/// So many recordings are written in full.
+const MOST_IN_FULL: usize = 4;
+
 /// Fewest rows of the picture.
 const FEWEST_ROWS: usize = 14;
 
@@ -55,7 +58,13 @@ pub(super) fn write(
     if let Some(model) = fit.report.best() {
         table.row("fit-row-residual", catalogue.quantity(model.rms, &fit.report.unit, 3));
     }
+    table.row("fit-row-plus-minus", catalogue.text("fit-plus-minus"));
     table.write(columns, out)?;
+    let metres = fit.report.length_unit() == "m" && !fit.read.value.is_angle();
+    if metres && fit.physical.is_none() && fit.report.adequacy.adequate {
+        let hint = catalogue.text("physical-hint");
+        wrap(&hint, columns).iter().try_for_each(|line| writeln!(out, "{line}"))?;
+    }
     writeln!(out)?;
     if targets.details {
         details::write(fit, columns, catalogue, out)?;
@@ -63,21 +72,32 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Writes one fit of many: its name, the verdict, and the values that tell them apart.
-pub(super) fn write_short(
-    fit: &Fitted,
+/// Writes many fits, each below its name: a few in full, of more what tells them apart.
+pub(super) fn write_many(
+    fits: &[Fitted],
     picture: Picture,
     targets: &Targets,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    if targets.details {
-        return write(fit, picture, targets, catalogue, out);
-    }
+    let full = fits.len() <= MOST_IN_FULL || targets.details;
+    fits.iter().try_for_each(|fit| {
+        writeln!(out, "{}", style(&fit.name).bold())?;
+        if full {
+            write(fit, picture, targets, catalogue, out)
+        } else {
+            write_short(fit, catalogue, out)
+        }
+    })
+}
+
+/// The verdict, and the values that tell many fits apart.
+fn write_short(fit: &Fitted, catalogue: &Catalogue, out: &mut dyn Write) -> io::Result<()> {
     let (columns, _) = room(ROWS_BESIDES);
-    writeln!(out, "{}", style(&fit.name).bold())?;
     verdict(fit, columns, catalogue, out)?;
-    about(fit, catalogue).write(columns, out)?;
+    let mut table = about(fit, catalogue);
+    physical_rows(fit, catalogue).into_iter().for_each(|(name, value)| table.named(name, value));
+    table.write(columns, out)?;
     writeln!(out)
 }
 
