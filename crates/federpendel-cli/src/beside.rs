@@ -85,7 +85,8 @@ fn measured(
 
 /// Says in what unit a bare number is taken, for “250” is more often grams than kilograms.
 fn note_bare(info: &ParameterInfo, written: &str, measured: Measured, catalogue: &Catalogue) {
-    if parse_uncertain(written, Dimension::Number).is_ok() {
+    // 9.81 can only be in m/s².
+    if info.name != GRAVITY.name && parse_uncertain(written, Dimension::Number).is_ok() {
         let name = format!("--{}", info.name.replace('_', "-"));
         let value = catalogue.exact_quantity(measured.value, info.unit);
         let variables = [("name", name.into()), ("value", value.into())];

@@ -115,8 +115,7 @@ fn rejected(small: &Candidate, candidates: &[Candidate], effective: f64) -> bool
 /// The least probability of a likelihood ratio as high as that of a larger mix, if `small` were
 /// right; none where there is no larger one.
 fn rejection(small: &Candidate, candidates: &[Candidate], effective: f64) -> Option<f64> {
-    let larger =
-        candidates.iter().filter(|c| within(small.mix, c.mix) && !within(c.core, small.mix));
+    let larger = candidates.iter().filter(|c| c.mix != small.mix && within(small.mix, c.mix));
     larger.map(|large| p_value(small, large, effective)).reduce(f64::min)
 }
 
@@ -149,7 +148,10 @@ fn size(mix: Mix) -> usize {
 /// ½χ²₁ for one (Chernoff 1954), binomial weights for more (Self & Liang 1987, for independent
 /// coefficients).
 fn p_value(small: &Candidate, large: &Candidate, effective: f64) -> f64 {
-    let ratio = if large.cost > 0.0 {
+    let ratio = if within(large.core, small.mix) {
+        // What it has more came out as none.
+        0.0
+    } else if large.cost > 0.0 {
         (effective * (small.cost / large.cost).ln()).max(0.0)
     } else if small.cost > 0.0 {
         f64::INFINITY
