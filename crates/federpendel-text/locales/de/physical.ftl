@@ -15,8 +15,8 @@ physical-absent-angle = Die Aufzeichnung enthält Winkel; Masse und Feder einer 
 physical-absent-mass = Für Kräfte und Massen muss die Masse des Körpers oder die Federkonstante angegeben sein.
 physical-absent-normal-force = Reibungszahlen fehlen, weil nicht angegeben ist, was den Körper auf eine Führung drückt; bei einem hängenden Körper gibt es keine solche Kraft.
 physical-absent-spring-mass = Ein Drittel der Federmasse ist mehr, als sich nach Federkonstante und Frequenz insgesamt bewegt; daher fehlt die Masse des Körpers.
-physical-absent-length = Die Aufzeichnung misst Längen in { $unit }; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig (--unit m gibt sie an).
-physical-absent-unit = Die Aufzeichnung nennt keine Einheit: Massen, Federkonstante und Dämpfung gelten nur, wenn sie Längen und keine Winkel misst, und für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig (--unit m gibt sie an).
+physical-absent-length = Die Aufzeichnung misst Längen in { $unit }; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: --unit m, cm oder mm sagt, worin ihre Längen stehen.
+physical-absent-unit = Die Aufzeichnung nennt keine Einheit: Massen, Federkonstante und Dämpfung gelten nur, wenn sie Längen und keine Winkel misst, und für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: --unit m, cm oder mm sagt, worin ihre Längen stehen.
 
 ### Die Befehlszeile
 

@@ -15,8 +15,8 @@ physical-absent-angle = The recording holds angles, to which the mass and the sp
 physical-absent-mass = Forces and masses need the mass of the body or the stiffness of the spring.
 physical-absent-normal-force = There is no coefficient of friction, since nothing is said of what presses the body on a guide; a hanging body has no such force.
 physical-absent-spring-mass = A third of the mass of the spring is more than all that moves by stiffness and frequency: no mass of the body is given.
-physical-absent-length = The recording measures lengths in { $unit }, but forces, coefficients of friction and drag need metres (--unit m says that they are).
-physical-absent-unit = The recording says no unit: masses, stiffness and damping hold only if it measures lengths and not angles, and forces, coefficients of friction and drag need metres (--unit m says that they are).
+physical-absent-length = The recording measures lengths in { $unit }, but forces, coefficients of friction and drag need metres: --unit m, cm or mm says what its lengths are in.
+physical-absent-unit = The recording says no unit: masses, stiffness and damping hold only if it measures lengths and not angles, and forces, coefficients of friction and drag need metres: --unit m, cm or mm says what its lengths are in.
 
 ### The command line
 
