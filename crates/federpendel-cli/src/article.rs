@@ -13,12 +13,7 @@ use crate::output::{ArticleReport, Format, Targets};
 
 pub(crate) fn run(arguments: &Article, catalogue: &Catalogue) -> Result<(), Failure> {
     let results = with_solutions(arguments, catalogue);
-    let targets = Targets::check(
-        arguments.subject.experiment.as_slice(),
-        &results,
-        &Format::OF_REPORTS,
-        catalogue,
-    )?;
+    let targets = Targets::of(&arguments.subject, &results, &Format::OF_REPORTS, catalogue)?;
     let pages = targets.has(Format::Html);
     for (asked, id) in [
         (arguments.worksheet, "cli-article-no-page"),

@@ -15,12 +15,8 @@ use crate::record::{Method, Record};
 use crate::words::{flag_value, nearest};
 
 pub(crate) fn run(arguments: &Compare, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(
-        arguments.subject.experiment.as_slice(),
-        &arguments.results,
-        &Format::IN_FILES,
-        catalogue,
-    )?;
+    let targets =
+        Targets::of(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let named = candidates(arguments, catalogue)?;
     let fineness = Fineness::parse(arguments, catalogue)?;
     let copies = named.as_ref().map_or(Candidate::all().len(), Vec::len);

@@ -27,12 +27,8 @@ const fn positive(name: &'static str, unit: &'static str, default: Option<f64>) 
 }
 
 pub(crate) fn run(arguments: &Plan, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(
-        arguments.subject.experiment.as_slice(),
-        &arguments.results,
-        &Format::IN_FILES,
-        catalogue,
-    )?;
+    let targets =
+        Targets::of(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let (quantity, noise) = noise(arguments, catalogue)?;
     let value = |written: &Option<String>, info, dimension| {
         let parse = |written: &String| flag_value(catalogue, info, dimension, written);

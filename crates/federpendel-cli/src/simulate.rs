@@ -15,12 +15,8 @@ use crate::sensor::Sensor;
 use crate::words::{flag_value, too_long_step};
 
 pub(crate) fn run(arguments: &Simulate, catalogue: &Catalogue) -> Result<(), Failure> {
-    let targets = Targets::check(
-        arguments.subject.experiment.as_slice(),
-        &arguments.results,
-        &Format::IN_FILES,
-        catalogue,
-    )?;
+    let targets =
+        Targets::of(&arguments.subject, &arguments.results, &Format::IN_FILES, catalogue)?;
     let time_step = time_step(arguments, catalogue)?;
     let sensor = sensor(arguments, &targets, catalogue)?;
     let experiment = load::experiment(&arguments.subject, 0, catalogue)?;

@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::path::Path;
-
 use common::Workplace;
 use serde_json::Value;
 
@@ -17,12 +15,7 @@ fn checks(arguments: &[&str]) -> Vec<Value> {
     let workplace = Workplace::new();
     let finished = workplace.run(&[&["article", "--format", "json"], arguments].concat());
     assert_eq!(finished.status, Some(0), "{arguments:?}: {}", finished.err);
-    let document: Value = serde_json::from_str(&finished.out).expect("JSON");
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas/article.schema.json");
-    let schema = serde_json::from_str(&std::fs::read_to_string(schema).expect("a schema"));
-    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
-    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
-    assert!(problems.is_empty(), "{arguments:?}: {problems:?}");
+    let document = common::document(&finished.out, "article.schema.json");
     document["checks"].as_array().expect("checks").clone()
 }
 

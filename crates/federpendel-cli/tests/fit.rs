@@ -2,20 +2,12 @@
 
 mod common;
 
-use std::path::Path;
-
 use common::Workplace;
 use serde_json::Value;
 
-/// A document that fits the schema.
+/// A document on fits.
 fn document(text: &str) -> Value {
-    let document: Value = serde_json::from_str(text).expect("JSON");
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas/fit.schema.json");
-    let schema = serde_json::from_str(&std::fs::read_to_string(schema).expect("a schema"));
-    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
-    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
-    assert!(problems.is_empty(), "{problems:?}");
-    document
+    common::document(text, "fit.schema.json")
 }
 
 /// A recording of an experiment with these flags, fitted.
@@ -252,6 +244,28 @@ fn what_is_no_recording_is_refused() {
 fn still() -> Vec<u8> {
     let rows = (0..200).map(|i| format!("{},0.5\n", 0.01 * f64::from(i)));
     format!("Time (s),Position (m)\n{}", rows.collect::<String>()).into_bytes()
+}
+
+#[test]
+fn what_makes_a_verdict_unsure_is_said() {
+    let workplace = Workplace::new();
+    workplace.run(&["simulate", "--noise", "1 mm", "--duration", "1 s", "-o", "few.csv"]);
+    let few = workplace.run(&["fit", "few.csv"]);
+    assert!(few.out.contains("swings (half periods) only"), "{}", few.out);
+    workplace.run(&["simulate", "--noise", "1 mm", "--duration", "4 s", "-o", "r.csv"]);
+    let text = String::from_utf8(workplace.read("r.csv")).expect("text");
+    let spoilt = |(i, line): (usize, &str)| match line.split_once(',') {
+        Some((time, _)) if i == 1000 => format!("{time},0.5\n"),
+        _ => format!("{line}\n"),
+    };
+    let spoilt: String = text.lines().enumerate().map(spoilt).collect();
+    workplace.write("spoilt.csv", spoilt.as_bytes());
+    for (language, said) in [("en", "One value lies far off"), ("de", "Ein Wert liegt weit ab")] {
+        let finished = workplace.run(&["fit", "spoilt.csv", "--lang", language]);
+        assert!(finished.out.contains(said), "{}", finished.out);
+        let robust = workplace.run(&["fit", "spoilt.csv", "--loss", "tukey", "--lang", language]);
+        assert!(!robust.out.contains(said), "{}", robust.out);
+    }
 }
 
 #[test]

@@ -2,8 +2,6 @@
 
 mod common;
 
-use std::path::Path;
-
 use common::Workplace;
 use serde_json::Value;
 
@@ -35,13 +33,7 @@ fn recorded() -> Workplace {
 fn json(workplace: &Workplace, file: &str, arguments: &[&str]) -> Value {
     let finished = workplace.run(&[&["fit", file, "--format", "json"], arguments].concat());
     assert_eq!(finished.status, Some(0), "{}", finished.err);
-    let document: Value = serde_json::from_str(&finished.out).expect("JSON");
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas/fit.schema.json");
-    let schema = serde_json::from_str(&std::fs::read_to_string(schema).expect("a schema"));
-    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
-    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
-    assert!(problems.is_empty(), "{problems:?}");
-    document
+    common::document(&finished.out, "fit.schema.json")
 }
 
 fn assert_near(number: &Value, truth: f64, unit: &str) {

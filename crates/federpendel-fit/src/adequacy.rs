@@ -7,13 +7,11 @@
 //! parameters themselves; what it explains is judged by its significance against the noise that is
 //! left and by its size against the motion.
 
-use nalgebra::{DMatrix, DVector};
-
-use crate::Quantity;
-use crate::extremes::median;
+use crate::extremes::{fast_noise, spread};
 use crate::least_squares::Minimum;
 use crate::noise::{Excess, excess};
-use crate::problem::{LAWS, Loss, OMEGA, Problem, Vector};
+use crate::patterns::{Patterns, square};
+use crate::problem::{Loss, OMEGA, Problem};
 
 /// What is wrong with the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -123,17 +121,10 @@ fn residual(problem: &Problem, patterns: &Patterns) -> Option<Finding> {
     let rms = match problem.loss.0 {
         Loss::Squares => (patterns.cost / values.len() as f64).sqrt(),
         // What a robust loss leaves aside is no fault of the model.
-        Loss::Huber | Loss::Tukey => {
-            let mut sizes: Vec<f64> = patterns.residuals.iter().map(|r| r.abs()).collect();
-            1.4826 * median(&mut sizes)?
-        }
+        Loss::Huber | Loss::Tukey => spread(patterns.residuals.iter().copied()),
     };
     let size = rms / (patterns.widest() / values.len() as f64).sqrt();
-    // Of white noise x₀ − 2x₁ + x₂ has the variance 6σ².
-    let second = |w: &[f64]| (w[0] - 2.0 * w[1] + w[2]).abs();
-    let mut seconds: Vec<f64> = values.windows(3).map(second).collect();
-    let noise = 1.4826 * median(&mut seconds)? / 6f64.sqrt();
-    let beyond = rms / noise.max(f64::MIN_POSITIVE);
+    let beyond = rms / fast_noise(values).max(f64::MIN_POSITIVE);
     (size > LARGE && beyond > BEYOND_NOISE).then_some(Finding {
         fault: Fault::Residual,
         size,
@@ -165,146 +156,4 @@ pub fn noise(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> Opti
     let left = patterns.explain(&columns.iter().collect::<Vec<_>>())?.left;
     let omega = minimum.at[OMEGA];
     Some(Excess::new(&patterns.residuals, &left, columns.len(), problem.step(), omega))
-}
-
-fn square(values: &[f64]) -> f64 {
-    values.iter().map(|x| x * x).sum()
-}
-
-/// What patterns are made of.
-struct Patterns {
-    /// The motion, from its zero, and its derivative.
-    swing: Vec<f64>,
-    slope: Vec<f64>,
-    /// Position and velocity over ω0: the square of the amplitude.
-    amplitude2: Vec<f64>,
-    /// Times from −1 to 1.
-    unit_times: Vec<f64>,
-    times: Vec<f64>,
-    span: f64,
-    residuals: Vec<f64>,
-    cost: f64,
-    base: Vec<Vec<f64>>,
-}
-
-/// Residuals with some patterns taken away.
-struct Explained {
-    weights: Vec<f64>,
-    left: Vec<f64>,
-}
-
-impl Patterns {
-    fn new(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> Option<Self> {
-        let (p, ending) = (&minimum.at, minimum.ending);
-        let residuals = problem.residuals(p, ending)?;
-        let mut bare: Vector = *p;
-        bare[6] = 0.0;
-        let x = problem.model(&bare, ending, Quantity::Position)?;
-        let v = problem.model(&bare, ending, Quantity::Velocity)?;
-        let a = problem.model(&bare, ending, Quantity::Acceleration)?;
-        let (omega, rate) = (p[OMEGA], p[LAWS[0]]);
-        let jerk = |(v, a): (&f64, &f64)| -omega * omega * v - 2.0 * rate * a;
-        let amplitude2 =
-            x.iter().zip(&v).map(|(x, v)| x * x + (v / omega).powi(2)).collect::<Vec<_>>();
-        let (swing, slope) = match problem.quantity {
-            Quantity::Position => (x, v),
-            Quantity::Velocity => (v, a),
-            Quantity::Acceleration => {
-                let slope = v.iter().zip(&a).map(jerk).collect();
-                (a, slope)
-            }
-        };
-        let times = problem.times.clone();
-        let span = times[times.len() - 1] - times[0];
-        let unit_times = times.iter().map(|t| 2.0 * (t - times[0]) / span - 1.0).collect();
-        let jacobian = problem.derivatives(p, ending)?;
-        let base =
-            (0..7).filter(|&i| free[i]).map(|i| jacobian.column(i).to_vec()).collect::<Vec<_>>();
-        let cost = square(&residuals);
-        Some(Self { swing, slope, amplitude2, unit_times, times, span, residuals, cost, base })
-    }
-
-    /// The sum of squares of as many values of a swing that stays as wide as the widest.
-    fn widest(&self) -> f64 {
-        let widest = self.swing.iter().fold(0.0f64, |widest, x| widest.max(x.abs()));
-        0.5 * widest * widest * self.swing.len() as f64
-    }
-
-    /// `direction` times Legendre polynomials of time, from the first degree to `highest`.
-    fn along(&self, direction: &[f64], highest: usize) -> Vec<Vec<f64>> {
-        let column = |degree| {
-            let pairs = self.unit_times.iter().zip(direction);
-            pairs.map(|(&u, d)| legendre(degree, u) * d).collect()
-        };
-        (1..=highest).map(column).collect()
-    }
-
-    /// A phase that runs ahead in proportion to the square of the amplitude.
-    fn softening(&self) -> Vec<Vec<f64>> {
-        let widest = self.amplitude2.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let mut ahead = 0.0;
-        let mut before = self.times[0];
-        let parts = self.times.iter().zip(&self.amplitude2).zip(&self.slope);
-        let column = parts.map(|((&time, a2), slope)| {
-            ahead += (time - before) * a2 / widest;
-            before = time;
-            slope * ahead
-        });
-        vec![column.collect()]
-    }
-
-    /// The second and third powers of the motion.
-    fn shape(&self) -> Vec<Vec<f64>> {
-        let widest = self.swing.iter().fold(f64::MIN_POSITIVE, |w, x| w.max(x.abs()));
-        [2, 3].map(|n| self.swing.iter().map(|x| x * (x / widest).powi(n - 1)).collect()).to_vec()
-    }
-
-    /// Least squares of the residuals on the derivatives of the fit and on `columns`.
-    fn explain(&self, columns: &[&Vec<f64>]) -> Option<Explained> {
-        let all: Vec<&Vec<f64>> = self.base.iter().chain(columns.iter().copied()).collect();
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let scale: Vec<f64> = all.iter().map(|c| dot(c, c).sqrt().max(f64::MIN_POSITIVE)).collect();
-        let k = all.len();
-        let mut matrix = DMatrix::zeros(k, k);
-        for i in 0..k {
-            for j in 0..=i {
-                let product = dot(all[i], all[j]) / (scale[i] * scale[j]);
-                (matrix[(i, j)], matrix[(j, i)]) = (product, product);
-            }
-            // What the derivatives say already is left to them.
-            matrix[(i, i)] += 1e-9;
-        }
-        let right = DVector::from_fn(k, |i, _| dot(all[i], &self.residuals) / scale[i]);
-        let solved = matrix.cholesky()?.solve(&right);
-        let mut left = self.residuals.clone();
-        for (column, weight) in all.iter().zip(solved.iter().zip(&scale).map(|(w, s)| w / s)) {
-            left.iter_mut().zip(column.iter()).for_each(|(r, c)| *r -= weight * c);
-        }
-        let weights = (self.base.len()..k).map(|i| solved[i] / scale[i]).collect();
-        Some(Explained { weights, left })
-    }
-
-    /// The fault by its name and the effect in its own measure.
-    fn named(&self, fault: Fault, found: &Explained) -> (Fault, f64) {
-        if fault == Fault::Softening {
-            // The weight is the relative change of frequency at the widest swing.
-            let change = found.weights[0];
-            return (if change < 0.0 { fault } else { Fault::Hardening }, change.abs());
-        }
-        let largest =
-            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |l, x| l.max(x.abs()));
-        let pattern =
-            largest(&mut self.residuals.iter().zip(&found.left).map(|(r, left)| r - left));
-        (fault, pattern / largest(&mut self.swing.iter().copied()))
-    }
-}
-
-/// Legendre's polynomial of `degree` by Bonnet's recursion.
-fn legendre(degree: usize, u: f64) -> f64 {
-    let (mut before, mut now) = (1.0, u);
-    for n in 1..degree {
-        let n = n as f64;
-        (before, now) = (now, ((2.0 * n + 1.0) * u * now - n * before) / (n + 1.0));
-    }
-    if degree == 0 { before } else { now }
 }

@@ -27,9 +27,12 @@ pub fn variance(minimum: &Minimum, free: &[bool; 7], count: usize, excess: Exces
     minimum.normal.cost / (count - fitted * excess.of_amplitude).max(0.2 * count)
 }
 
+/// The 97.5 % point of the normal distribution.
+pub const NORMAL: f64 = 1.959964;
+
 /// The 97.5 % point of Student's t with `freedom` degrees of freedom (Abramowitz & Stegun 26.7.5).
 pub fn student(freedom: f64) -> f64 {
-    let z: f64 = 1.959964;
+    let z = NORMAL;
     let g1 = (z.powi(3) + z) / 4.0;
     let g2 = (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / 96.0;
     z + g1 / freedom + g2 / (freedom * freedom)

@@ -73,11 +73,16 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
 
 /// The standard deviation of the noise, as second differences over neighbours show it; an upper
 /// bound where the sampling is coarse. Their median sees no steps and no outliers.
-fn fast_noise(values: &[f64]) -> f64 {
-    let mut second: Vec<f64> =
-        values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs()).collect();
-    // 1.4826 makes a median a standard deviation; a second difference has √6 of it.
-    median(&mut second).unwrap_or(0.0) * 1.4826 / 6f64.sqrt()
+pub fn fast_noise(values: &[f64]) -> f64 {
+    // A second difference has √6 of it.
+    spread(values.windows(3).map(|w| w[0] - 2.0 * w[1] + w[2])) / 6f64.sqrt()
+}
+
+/// The standard deviation of normal numbers around zero, from the median of their sizes, which outliers do not
+/// sway; zero of none.
+pub fn spread(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut sizes: Vec<f64> = numbers.map(f64::abs).collect();
+    1.4826 * median(&mut sizes).unwrap_or(0.0)
 }
 
 /// The values, with those that stand far off the median of five neighbours replaced by it.
@@ -162,9 +167,7 @@ fn smoothed(times: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
 /// Standard deviations of the noise of the values and of what smoothing over `within` of them
 /// leaves.
 fn noise(values: &[f64], smooth: &[f64], within: f64) -> (f64, f64) {
-    let mut removed: Vec<f64> =
-        values.iter().zip(smooth).map(|(value, smooth)| (value - smooth).abs()).collect();
-    let slow = median(&mut removed).unwrap_or(0.0) * 1.4826;
+    let slow = spread(values.iter().zip(smooth).map(|(value, smooth)| value - smooth));
     let noise = fast_noise(values).min(slow);
     (noise, noise / within.max(1.0).sqrt())
 }

@@ -10,7 +10,7 @@ use crate::check::{FEWEST, check};
 use crate::condense::{Whole, condense};
 use crate::covariance::variance;
 use crate::error::FitError;
-use crate::extremes::{look, median};
+use crate::extremes::{look, spread};
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
@@ -192,7 +192,6 @@ impl Fits {
             evaluations: self.problem.evaluations,
             loss: options.loss,
             sigma: options.sigma,
-            intervals: options.intervals,
         })
     }
 
@@ -244,8 +243,7 @@ const OUTLIER: f64 = 10.0;
 
 /// How many residuals are outliers.
 fn outliers(residuals: &[f64]) -> usize {
-    let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-    let limit = OUTLIER * 1.4826 * median(&mut sizes).unwrap_or(0.0);
+    let limit = OUTLIER * spread(residuals.iter().copied());
     residuals.iter().filter(|r| r.abs() > limit && limit > 0.0).count()
 }
 
@@ -258,14 +256,13 @@ fn mean_square(values: &[f64]) -> f64 {
 fn robust(problem: &mut Problem, fitted: &[Fitted], loss: Loss) -> Vec<Fitted> {
     use crate::least_squares::{Effort, minimise};
     let mut fitted = fitted.to_vec();
-    // The scale is that of the best fit, the same for all, so that they can be compared.
+    // The scale is that of the largest mix, the same for all, so that they can be compared.
     for _ in 0..3 {
-        let Some(best) = fitted.first() else { return fitted };
-        let Some(residuals) = problem.residuals(&best.minimum.at, best.minimum.ending) else {
+        let Some(largest) = fitted.first() else { return fitted };
+        let Some(residuals) = problem.residuals(&largest.minimum.at, largest.minimum.ending) else {
             return fitted;
         };
-        let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-        let scale = 1.4826 * median(&mut sizes).unwrap_or(0.0);
+        let scale = spread(residuals.into_iter());
         if scale <= 0.0 {
             return fitted;
         }

@@ -4,6 +4,7 @@
 //! turn at the far end. Over few swings it cannot be; and what few swings tell is good for some
 //! more.
 
+use crate::check::FEWEST;
 use crate::least_squares::{Effort, Minimum, minimise};
 use crate::problem::{Ending, Problem, Vector};
 
@@ -35,7 +36,7 @@ pub fn grow(
     let mut best: Option<Minimum> = None;
     loop {
         let until = problem.times[0] + swings * half;
-        let count = problem.times.partition_point(|&t| t <= until).max(12).min(problem.len());
+        let count = problem.times.partition_point(|&t| t <= until).max(FEWEST).min(problem.len());
         let stride = stride.min((count / 24).max(1));
         let mut part = problem.part(count, stride);
         let from = best.map_or(starts.to_vec(), |best| vec![best.at]);

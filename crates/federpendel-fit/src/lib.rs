@@ -50,6 +50,7 @@ mod mixes;
 pub mod model;
 pub mod noise;
 pub mod options;
+mod patterns;
 pub mod physical;
 pub mod plan;
 mod problem;

@@ -188,7 +188,7 @@ fn nearest(
             starts.push((at, ending));
         }
     }
-    // Each larger mix is near in its own way; two are enough to look at.
+    // Each larger mix is near in its own way. What is tried is no end of a search.
     let tried = starts.into_iter().filter_map(|(at, ending)| {
         let normal = problem.normal(&at, ending)?;
         let reason = crate::least_squares::StopReason::StepLimit;

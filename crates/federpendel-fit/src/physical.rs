@@ -1,6 +1,7 @@
 //! From what a fit found and what was measured beside the recording to physical numbers: masses, stiffness, forces,
 //! coefficients of friction.
 
+use crate::covariance::NORMAL;
 use crate::propagation::{Estimate, Measured, Propagated, Source, Sources};
 use crate::report::{FitReport, Model};
 
@@ -213,7 +214,7 @@ impl Body {
     fn static_coefficient(&self, model: &Model) -> Answer {
         let (low, high) = model.parameter("static_acceleration").ok_or(Absent::NoRest)?.interval95;
         let ratio = self.over_normal?;
-        let error = self.sources.stderr(&ratio).map(|stderr| 1.96 * stderr);
+        let error = self.sources.stderr(&ratio).map(|stderr| NORMAL * stderr);
         let end = |acceleration: Option<f64>, way: f64| {
             Some(acceleration? * (ratio.value + way * error?).max(0.0))
         };

@@ -200,6 +200,22 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_mix_with_an_idle_law_is_no_alternative() {
+        // Quadratic friction beside Stokes is there; dry friction came out as none.
+        let (stokes, newton) = ([true, false, false], [true, false, true]);
+        let candidate = |laws, core, cost| Candidate { mix: mix(laws), core: mix(core), cost };
+        let candidates = [
+            candidate([true; 3], newton, 1.0),
+            candidate([true, true, false], stokes, 1.2),
+            candidate(newton, newton, 1.0),
+            candidate(stokes, stokes, 1.2),
+        ];
+        let verdict = verdict(&candidates, 1000.0).expect("there are candidates");
+        assert_eq!((verdict.mix, verdict.alternatives), (mix(newton), vec![]));
+        assert_eq!(verdict.laws, [Standing::Acts, Standing::NotNeeded, Standing::Acts]);
+    }
+
+    #[test]
     fn tails_are_those_of_tables() {
         // Abramowitz & Stegun, table 26.8: 5 % and 1 % points.
         for (x, i, p) in

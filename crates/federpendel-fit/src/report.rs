@@ -6,7 +6,7 @@ use crate::Quantity;
 use crate::adequacy::Adequacy;
 use crate::least_squares::StopReason;
 use crate::noise::Excess;
-use crate::options::{Intervals, Laws, Loss};
+use crate::options::{Laws, Loss};
 use crate::ranking::{Criteria, Verdict};
 use crate::reach::Reach;
 use crate::stop::Rest;
@@ -101,8 +101,6 @@ pub struct FitReport {
     pub evaluations: usize,
     /// Standard deviation of a value, where it was given: χ² is measured in it.
     pub sigma: Option<f64>,
-    /// How the intervals of the verdict's mix were asked for.
-    pub intervals: Intervals,
 }
 
 impl FitReport {

@@ -1,6 +1,7 @@
 //! Which part of a recording is a free decay.
 
 use crate::Recording;
+use crate::check::FEWEST;
 use crate::extremes::{Extreme, Look, bounds, look, median};
 
 /// Why a window begins or ends where it does.
@@ -79,7 +80,7 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
         }
     }
     // Too little would be left: rather the whole.
-    if window.end - window.first < 12 {
+    if window.end - window.first < FEWEST {
         window = Window::between(times, first.min(end - 1), end, given(from), given(to));
     }
     let look = if window.end - window.first < end - first {

@@ -276,23 +276,6 @@ fn what_cannot_be_fitted_is_refused() {
 }
 
 #[test]
-fn noise_alone_makes_no_panic() {
-    let mut random = Random(4);
-    for count in [12, 13, 20, 100, 300] {
-        for quantity in [Quantity::Position, Quantity::Velocity, Quantity::Acceleration] {
-            let values = (0..count).map(|_| random.normal()).collect();
-            let recording =
-                Recording { times: even(1.0, count), values, quantity, unit: String::new() };
-            let _ = fit(&recording, &Options::default());
-            let ramp = (0..count).map(|i| i as f64).collect();
-            let recording =
-                Recording { times: even(1.0, count), values: ramp, quantity, unit: String::new() };
-            let _ = fit(&recording, &Options::default());
-        }
-    }
-}
-
-#[test]
 fn only_allowed_laws_are_fitted() {
     let recording = recorded(&truth(), even(10.0, 1000), 0.01, 4);
     let both = Mix { newton: true, ..STOKES };

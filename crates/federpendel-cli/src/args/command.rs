@@ -279,6 +279,15 @@ fn details(help: &str, catalogue: &Catalogue) -> Arg {
     Arg::new("details").long("details").action(ArgAction::SetTrue).help(catalogue.text(help))
 }
 
+/// A flag that takes a value, "-5cm" included, with the sentences for its value and its help.
+fn named(name: &'static str, value: &str, help: &str, catalogue: &Catalogue) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(catalogue.text(value))
+        .allow_hyphen_values(true)
+        .help(catalogue.text(help))
+}
+
 /// A flag with one of a few words; its help names them.
 fn choice<const N: usize>(
     name: &'static str,

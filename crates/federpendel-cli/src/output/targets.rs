@@ -6,7 +6,7 @@ use federpendel_text::Catalogue;
 use federpendel_text::plot::draw::Background;
 
 use super::{Dialect, Format};
-use crate::args::Results;
+use crate::args::{Results, Subject};
 use crate::failure::Failure;
 
 /// The name of standard output among files.
@@ -28,8 +28,21 @@ pub(crate) struct Targets {
 }
 
 impl Targets {
-    /// Takes the targets from the results, none of which may be a file that is `read`; files can have one of the `forms`, and the first of them is written to
-    /// standard output if that is named as a file.
+    /// The targets of a command on an experiment, whose file is none of them.
+    ///
+    /// # Errors
+    /// As [`Targets::check`].
+    pub(crate) fn of(
+        subject: &Subject,
+        results: &Results,
+        forms: &[Format],
+        catalogue: &Catalogue,
+    ) -> Result<Self, Failure> {
+        Self::check(subject.experiment.as_slice(), results, forms, catalogue)
+    }
+
+    /// Takes the targets from the results, none of which may be a file that is `read`; files can have one of the
+    /// `forms`, and the first of them is written to standard output if that is named as a file.
     ///
     /// # Errors
     /// An extension that no form has, a folder, the same file twice.

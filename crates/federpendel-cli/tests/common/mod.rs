@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// An empty folder in which the program runs.
@@ -65,4 +66,16 @@ impl Workplace {
             err: String::from_utf8_lossy(&output.stderr).into_owned(),
         }
     }
+}
+
+/// A JSON document that fits the schema of this name.
+#[allow(dead_code, reason = "each test file uses some")]
+pub fn document(text: &str, schema: &str) -> Value {
+    let document: Value = serde_json::from_str(text).expect("JSON");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas").join(schema);
+    let schema = serde_json::from_str(&fs::read_to_string(path).expect("a schema"));
+    let schema = jsonschema::validator_for(&schema.expect("JSON")).expect("a schema");
+    let problems: Vec<_> = schema.iter_errors(&document).map(|error| error.to_string()).collect();
+    assert!(problems.is_empty(), "{problems:?}");
+    document
 }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use federpendel_fit::{Edge, Loss, Model};
 use federpendel_text::Catalogue;
 
+use super::verdict::STRONG;
 use super::{Fitted, edge};
 
 /// Verdicts of fewer swings than these often err.
@@ -53,7 +54,7 @@ fn half_periods(fit: &Fitted, model: &Model) -> f64 {
 }
 
 fn swings(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Option<String> {
-    let strong = model.value("damping_rate") > 0.5 * model.value("angular_frequency");
+    let strong = model.value("damping_rate") > STRONG * model.value("angular_frequency");
     let swings = half_periods(fit, model);
     (swings < FEW_SWINGS && !strong).then(|| {
         let number = ("number", catalogue.number(swings, 2).into());

@@ -132,7 +132,7 @@ fn as_asked(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
 }
 
 /// From this damping ratio on one cannot count swings, and the regime is said.
-const STRONG: f64 = 0.5;
+pub(super) const STRONG: f64 = 0.5;
 
 /// Damping ratios within this factor of one are near critical.
 const NEAR: f64 = 1.5;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Arg, Command, value_parser};
 use federpendel_text::Catalogue;
 
-use super::{beside, choice, common, details, file, picture, usage};
+use super::{beside, choice, common, details, file, named, picture, usage};
 use crate::args::{DARK, FitPicture, LIGHT, QUANTITIES};
 use crate::fit::{INTERVALS, LOSSES};
 use crate::output::{Dialect, Format};
@@ -31,13 +31,7 @@ pub(super) fn fit(catalogue: &Catalogue) -> Command {
 
 fn options(catalogue: &Catalogue) -> Vec<Arg> {
     let heading = catalogue.text("cli-heading-options");
-    let named = |name: &'static str, value: &str, help: &str| {
-        Arg::new(name)
-            .long(name)
-            .value_name(catalogue.text(value))
-            .allow_hyphen_values(true)
-            .help(catalogue.text(help))
-    };
+    let named = |name, value, help| named(name, value, help, catalogue);
     let arguments = vec![
         named("time", "cli-value-column", "cli-fit-time"),
         named("value", "cli-value-column", "cli-fit-value"),

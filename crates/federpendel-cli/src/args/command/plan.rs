@@ -3,7 +3,7 @@
 use clap::{Arg, Command};
 use federpendel_text::Catalogue;
 
-use super::{about_an_experiment, choice, common, usage, with_file};
+use super::{about_an_experiment, choice, common, named, usage, with_file};
 use crate::args::QUANTITIES;
 
 pub(super) fn plan(catalogue: &Catalogue) -> Command {
@@ -19,13 +19,7 @@ pub(super) fn plan(catalogue: &Catalogue) -> Command {
 
 fn options(catalogue: &Catalogue) -> [Arg; 6] {
     let heading = catalogue.text("cli-heading-options");
-    let named = |name: &'static str, value: &str, help: &str| {
-        Arg::new(name)
-            .long(name)
-            .value_name(catalogue.text(value))
-            .allow_hyphen_values(true)
-            .help(catalogue.text(help))
-    };
+    let named = |name, value, help| named(name, value, help, catalogue);
     [
         named("noise", "cli-value-quantity", "cli-plan-noise"),
         named("rate", "cli-value-quantity", "cli-plan-rate"),
