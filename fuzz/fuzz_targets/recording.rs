@@ -1,8 +1,11 @@
-//! Any bytes as a recording: refused, or finite values at rising times. The first bytes choose what is asked for.
+//! Any bytes as a recording: refused, or finite values at rising times, and the same when they come in pieces. The first
+//! byte chooses what is asked for.
 #![no_main]
 
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
+
 use federpendel_fit::Quantity;
-use federpendel_fit::read::{Choice, LARGEST_NUMBER, LEAST_ROWS, recordings};
+use federpendel_fit::read::{Choice, LARGEST_NUMBER, LEAST_ROWS, recordings, recordings_from};
 use libfuzzer_sys::fuzz_target;
 
 /// What the bits of a byte ask for.
@@ -19,6 +22,22 @@ fn choice(bits: u8) -> Choice {
     }
 }
 
+/// Hands out one to seven bytes at a time.
+struct Pieces<'a>(Cursor<&'a [u8]>);
+
+impl Read for Pieces<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let most = buffer.len().min(1 + self.0.position() as usize % 7);
+        self.0.read(&mut buffer[..most])
+    }
+}
+
+impl Seek for Pieces<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.0.seek(to)
+    }
+}
+
 fuzz_target!(|bytes: &[u8]| {
     let Some((first, bytes)) = bytes.split_first() else { return };
     // A damaged .xls may tell its library of more cells than memory holds.
@@ -27,7 +46,9 @@ fuzz_target!(|bytes: &[u8]| {
     }
     // A line's end in front leaves everything to the reader, as most files do.
     let choice = if *first == b'\n' { Choice::default() } else { choice(*first) };
-    match recordings(bytes, &choice) {
+    let read = recordings(bytes, &choice);
+    assert_eq!(recordings_from(Pieces(Cursor::new(bytes)), &choice), read);
+    match read {
         Ok(reads) => {
             assert!(!reads.is_empty());
             for read in reads {

@@ -4,9 +4,10 @@ mod options;
 
 pub(crate) use options::{INTERVALS, LOSSES, laws};
 
+use std::io;
 use std::path::Path;
 
-use federpendel_fit::read::{Choice, Read, recordings};
+use federpendel_fit::read::{Choice, Read, ReadError, SystemError, recordings_from};
 use federpendel_fit::{Given, Options, fit};
 use federpendel_report::recording::{Fitted, fit_error, read_error, read_note};
 use federpendel_text::Catalogue;
@@ -16,9 +17,6 @@ use crate::beside::given;
 use crate::failure::{Failure, note};
 use crate::load;
 use crate::output::{self, Format, Targets};
-
-/// Largest recording that is read, bytes.
-const LARGEST_RECORDING: usize = 4 << 30;
 
 /// What became of all recordings.
 #[derive(Default)]
@@ -111,8 +109,12 @@ fn read(
     choice: &Choice,
     catalogue: &Catalogue,
 ) -> Result<Vec<Read>, Failure> {
-    let bytes = load::read(path, LARGEST_RECORDING, catalogue)?;
-    recordings(&bytes, choice).map_err(|error| Failure::Input(read_error(catalogue, &error, file)))
+    let refused = |error: &io::Error| Failure::system(catalogue, file, error);
+    let seekable = load::seekable(path).map_err(|error| refused(&error))?;
+    recordings_from(seekable, choice).map_err(|error| match error {
+        ReadError::System(SystemError(error)) => refused(&error),
+        error => Failure::Input(read_error(catalogue, &error, file)),
+    })
 }
 
 /// What a recording is called: its file, and its run if there are several.

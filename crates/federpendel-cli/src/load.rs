@@ -1,7 +1,7 @@
 //! The experiment that a command is about: the file's, or the built-in one, with the overrides.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use federpendel_text::Catalogue;
@@ -41,12 +41,30 @@ pub(crate) fn read(path: &Path, largest: usize, catalogue: &Catalogue) -> Result
     let limit = largest as u64 + 1;
     let mut bytes = Vec::new();
     let done = if path == Path::new("-") {
-        std::io::stdin().take(limit).read_to_end(&mut bytes)
+        io::stdin().take(limit).read_to_end(&mut bytes)
     } else {
         File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
     };
     done.map_err(|error| Failure::system(catalogue, &path.display().to_string(), &error))?;
     Ok(bytes)
+}
+
+/// A file that can be read from its beginning again: that of this name, where it lies.
+///
+/// Standard input and pipes pass only once. They go to a file without a name, not into memory, which a recording may be
+/// larger than; the system removes it with the program. TMPDIR says on which disk.
+pub(crate) fn seekable(path: &Path) -> io::Result<File> {
+    if path == Path::new("-") {
+        return spooled(io::stdin());
+    }
+    let file = File::open(path)?;
+    if file.metadata()?.is_file() { Ok(file) } else { spooled(file) }
+}
+
+fn spooled(mut from: impl Read) -> io::Result<File> {
+    let mut file = tempfile::tempfile()?;
+    io::copy(&mut from, &mut file)?;
+    Ok(file)
 }
 
 /// Half of the memory that is free, in samples: the rest is for the system and for plots.

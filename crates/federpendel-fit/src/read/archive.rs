@@ -1,71 +1,122 @@
 //! A .zip with tables in it, as phyphox exports them.
 
-use std::io::{Cursor, Read};
+use std::io::{self, BufReader, ErrorKind, Read};
 
 use zip::ZipArchive;
+use zip::read::ZipFile;
 use zip::result::ZipError;
 
 use super::error::ReadError;
-use super::layout::{Layout, START};
 use super::line::plain;
 use super::source::{self, Container, Source};
-use super::{Choice, LARGEST_TABLE, sheet};
+use super::text::{File, Raw, Stream, Text, beginning, read_past};
+use super::{Choice, LARGEST_UNPACKED, sheet};
+
+/// An archive in a file; its library reads a few bytes at a time.
+type Archive<'a> = ZipArchive<BufReader<&'a mut dyn File>>;
+
+/// A file in an archive.
+pub(super) struct Entry<'a> {
+    archive: Archive<'a>,
+    name: String,
+}
+
+/// What the system says stays; all else comes from what the archive holds.
+fn unpacking(error: io::Error) -> io::Error {
+    if error.raw_os_error().is_some() || error.kind() == ErrorKind::Interrupted {
+        return error;
+    }
+    io::Error::other(ReadError::Damaged { reason: error.to_string() })
+}
 
 fn damaged(error: ZipError) -> ReadError {
-    ReadError::Damaged { reason: error.to_string() }
+    match error {
+        ZipError::Io(error) => unpacking(error).into(),
+        error => ReadError::Damaged { reason: error.to_string() },
+    }
 }
 
 /// Opens an archive, or the workbook that is one.
-pub(super) fn open<'a>(bytes: &'a [u8], choice: &Choice) -> Result<Source<'a>, ReadError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+pub(super) fn open<'a>(file: &'a mut dyn File, choice: &Choice) -> Result<Source<'a>, ReadError> {
+    let mut archive = ZipArchive::new(BufReader::new(file)).map_err(damaged)?;
     let names: Vec<String> =
         archive.file_names().filter_map(|name| Some(name.ok()?.into_owned())).collect();
     if names.iter().any(|name| name == "xl/workbook.xml") {
         unpacked_size(&mut archive)?;
-        return sheet::open(bytes, Container::Xlsx, choice);
+        return sheet::open(archive.into_inner().into_inner(), Container::Xlsx, choice);
     }
     let tables: Vec<String> = names.into_iter().filter(|name| is_table(name)).collect();
     let asked = choice.table.as_deref();
     let at = source::choose(&tables, asked, |name| {
-        let start = archive.by_name(name).map_err(damaged).and_then(|mut file| start(&mut file));
-        start.is_ok_and(|start| {
-            source::text(&start)
-                .is_ok_and(|text| source::holds_recording(&text, Container::Zip, choice))
+        start(&mut archive, name).is_ok_and(|start| {
+            let raw = Raw::File(Box::new(io::Cursor::new(start)));
+            Text::new(raw).is_ok_and(|text| source::holds_recording(text, Container::Zip, choice))
         })
     })?;
     let name = &tables[at];
-    let mut file = archive.by_name(name).map_err(damaged)?;
-    let mut text = start(&mut file)?;
-    if text.is_empty() {
+    if start(&mut archive, name)?.is_empty() {
         return Err(ReadError::Empty);
     }
-    // What begins like no table is unpacked no further.
-    Layout::of(&source::text(&text)?, false)?;
-    unpack(&mut file, LARGEST_TABLE + 1 - text.len() as u64, &mut text)?;
-    let text = source::text(&text)?.into_owned();
     let table = Some(plain(name.chars()));
-    Ok(Source { text: text.into(), container: Container::Zip, table })
+    let entry = Entry { archive, name: name.clone() };
+    Ok(Source { text: Text::new(Raw::Entry(entry))?, container: Container::Zip, table })
 }
 
-/// The beginning of a file, by which its layout is told.
-fn start(file: &mut impl Read) -> Result<Vec<u8>, ReadError> {
-    let mut text = Vec::new();
-    unpack(file, START as u64, &mut text)?;
-    Ok(text)
+/// The beginning of a file of an archive.
+fn start(archive: &mut Archive, name: &str) -> Result<Vec<u8>, ReadError> {
+    beginning(&mut Unpacked::new(archive, name)?)
 }
 
-fn unpack(file: &mut impl Read, most: u64, text: &mut Vec<u8>) -> Result<(), ReadError> {
-    let unpacked = file.take(most).read_to_end(text);
-    unpacked.map(drop).map_err(|error| ReadError::Damaged { reason: error.to_string() })
+impl Entry<'_> {
+    /// Unpacks it from its beginning.
+    pub fn open(&mut self) -> Result<impl Stream, ReadError> {
+        Unpacked::new(&mut self.archive, &self.name)
+    }
+
+    /// How many bytes it says it has unpacked.
+    pub fn length(&mut self) -> Result<u64, ReadError> {
+        Ok(self.archive.by_name(&self.name).map_err(damaged)?.size())
+    }
+}
+
+/// A file as it is unpacked, no further than what may be read.
+struct Unpacked<'a, 'f> {
+    file: ZipFile<'a, BufReader<&'f mut dyn File>>,
+    bytes: u64,
+}
+
+impl<'a, 'f> Unpacked<'a, 'f> {
+    fn new(archive: &'a mut Archive<'f>, name: &str) -> Result<Self, ReadError> {
+        Ok(Unpacked { file: archive.by_name(name).map_err(damaged)?, bytes: 0 })
+    }
+}
+
+impl Read for Unpacked<'_, '_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.file.read(buffer).map_err(unpacking)?;
+        self.bytes += read as u64;
+        allowed(self.bytes).map_err(io::Error::other)?;
+        Ok(read)
+    }
+}
+
+impl Stream for Unpacked<'_, '_> {
+    fn skip(&mut self, bytes: u64) -> io::Result<()> {
+        read_past(self, bytes)
+    }
 }
 
 /// Refuses an archive that says it unpacks to more than is read.
-fn unpacked_size(archive: &mut ZipArchive<Cursor<&[u8]>>) -> Result<(), ReadError> {
+fn unpacked_size(archive: &mut Archive) -> Result<(), ReadError> {
     let mut bytes: u64 = 0;
     for at in 0..archive.len() {
         bytes = bytes.saturating_add(archive.by_index_raw(at).map_err(damaged)?.size());
     }
-    let most = LARGEST_TABLE;
+    allowed(bytes)
+}
+
+fn allowed(bytes: u64) -> Result<(), ReadError> {
+    let most = LARGEST_UNPACKED;
     if bytes > most { Err(ReadError::TooLarge { bytes, most }) } else { Ok(()) }
 }
 

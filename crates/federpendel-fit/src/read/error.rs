@@ -1,5 +1,8 @@
 //! Why a file is refused: what was found, where, and what is allowed.
 
+use std::io;
+use std::sync::Arc;
+
 /// What a file is instead of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -41,6 +44,17 @@ impl Found {
     }
 }
 
+/// What the system says where it does not read a file.
+#[derive(Debug, Clone)]
+pub struct SystemError(pub Arc<io::Error>);
+
+impl PartialEq for SystemError {
+    fn eq(&self, other: &Self) -> bool {
+        let what = |error: &io::Error| (error.kind(), error.raw_os_error());
+        what(&self.0) == what(&other.0)
+    }
+}
+
 /// What a column is looked for as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Field {
@@ -67,13 +81,24 @@ pub enum ReadError {
         /// How it begins.
         text: String,
     },
-    /// More than is read.
+    /// An archive or workbook that unpacks to more than is read.
     #[error("{bytes} bytes; at most {most}")]
     TooLarge {
         /// Its size, at least.
         bytes: u64,
         /// The largest that is read.
         most: u64,
+    },
+    /// The system does not read the file.
+    #[error("{}", .0.0)]
+    System(SystemError),
+    /// A line longer than is read.
+    #[error("line {line}: longer than {most} bytes")]
+    LongLine {
+        /// Its number.
+        line: usize,
+        /// The longest that is read, with its end.
+        most: usize,
     },
     /// An archive or workbook that cannot be opened.
     #[error("damaged: {reason}")]
@@ -273,4 +298,14 @@ pub enum ReadError {
         /// The value.
         value: f64,
     },
+}
+
+impl From<io::Error> for ReadError {
+    /// What a stream refuses in its own words, else what the system says.
+    fn from(error: io::Error) -> Self {
+        match error.downcast::<ReadError>() {
+            Ok(refused) => refused,
+            Err(error) => ReadError::System(SystemError(Arc::new(error))),
+        }
+    }
 }

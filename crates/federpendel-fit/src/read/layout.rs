@@ -3,18 +3,20 @@
 use memchr::memchr2_iter;
 
 use super::MOST_COLUMNS;
+use super::blocks::{Block, LONGEST_LINE};
 use super::comma;
 use super::error::{Found, ReadError};
 use super::header::{Width, header_cells, headings, trimmed_width};
 use super::heading::Heading;
 use super::line::{Cells, Line, Lines, Separator, decode, excerpt, line_end};
 use super::number::{self, Cell, Decimal};
+use super::text::Text;
 
 /// Lines looked at, and bytes that they begin in.
 const SAMPLE: (usize, usize) = (500, 1 << 20);
 
-/// Bytes of a table that tell its layout: no line that is read is longer than a sample.
-pub(super) const START: usize = 2 * SAMPLE.1;
+/// Bytes of a table that tell its layout: the last line that begins in the sample may be as long as any.
+pub(super) const START: usize = SAMPLE.1 + LONGEST_LINE;
 
 /// The layout of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,8 +130,13 @@ impl Look {
 
 impl Layout {
     /// Looks at the first lines of a table; in one that is `aligned`, as a sheet is, rows may lack their last cells.
-    pub fn of(text: &[u8], aligned: bool) -> Result<Self, ReadError> {
-        let start = &text[..text.len().min(START)];
+    pub fn of(text: &mut Text, aligned: bool) -> Result<Self, ReadError> {
+        let mut layout = Self::told_by(&text.start()?, aligned)?;
+        layout.settle_decimal(text)?;
+        Ok(layout)
+    }
+
+    fn told_by(start: &[u8], aligned: bool) -> Result<Self, ReadError> {
         let end = line_end(start);
         let filled = |line: &Line| !line.is_blank();
         let all: Vec<Line> = Lines::new(start, end, 0, 1)
@@ -156,7 +163,7 @@ impl Layout {
         let named = headings(&above, look.separator, width)?;
         let header = named.is_some();
         let headings = named.unwrap_or_else(|| (0..width.least).map(Heading::numbered).collect());
-        let mut layout = Layout {
+        Ok(Layout {
             separator: look.separator,
             decimal: look.decimal,
             end,
@@ -166,29 +173,40 @@ impl Layout {
             preamble: above.iter().map(|line| decode(line.text)).collect(),
             start: row.start,
             line: row.number,
-        };
-        layout.settle_decimal(text);
-        Ok(layout)
+        })
     }
 
     /// Where the first lines hold integers only, the first decimal sign below them decides.
-    fn settle_decimal(&mut self, text: &[u8]) {
+    fn settle_decimal(&mut self, text: &mut Text) -> Result<(), ReadError> {
         if matches!(self.separator, Separator::Comma) || self.decimal == Decimal::Comma {
-            return;
+            return Ok(());
         }
-        let rows = &text[self.start..];
-        // Within a number: a digit before it and behind it.
-        let within = |at: &usize| {
-            let digit =
-                |at: Option<usize>| at.and_then(|at| rows.get(at)).is_some_and(u8::is_ascii_digit);
-            digit(at.checked_sub(1)) && digit(at.checked_add(1))
-        };
-        if let Some(at) = memchr2_iter(b'.', b',', rows).find(within)
-            && rows[at] == b','
-        {
-            self.decimal = Decimal::Comma;
+        let mut lines = text.lines(self.end, self.start as u64)?;
+        // A line too long to be read is refused when the rows are.
+        while let Block::Lines(block) = lines.next()? {
+            match decimal_sign(block) {
+                Some(b',') => self.decimal = Decimal::Comma,
+                Some(_) => {}
+                None => {
+                    let read = block.len();
+                    lines.consume(read);
+                    continue;
+                }
+            }
+            break;
         }
+        Ok(())
     }
+}
+
+/// The first sign within a number: a digit before it and behind it.
+fn decimal_sign(rows: &[u8]) -> Option<u8> {
+    let within = |at: &usize| {
+        let digit =
+            |at: Option<usize>| at.and_then(|at| rows.get(at)).is_some_and(u8::is_ascii_digit);
+        digit(at.checked_sub(1)) && digit(at.checked_add(1))
+    };
+    memchr2_iter(b'.', b',', rows).find(within).map(|at| rows[at])
 }
 
 fn best_look(sample: &[Line]) -> Look {

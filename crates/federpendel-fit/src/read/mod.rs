@@ -1,15 +1,21 @@
 //! Reads recordings as measuring programs write them: text of many dialects, alone or in a .zip, and Excel workbooks.
 //!
-//! Bytes in, recordings out: no files, no clock. A first look at some lines tells how the table is laid out (`layout`),
-//! which columns there are (`heading`, `unit`, `meaning`) and how much each of them oscillates (`size`); `column` chooses those
-//! that are kept, `row` reads them and nothing else, `clean` puts them in order.
+//! Bytes in, recordings out: no clock, no names of files. A first look at some lines tells how the table is laid out
+//! (`layout`), which columns there are (`heading`, `unit`, `meaning`) and how much each of them oscillates (`size`);
+//! `column` chooses those that are kept, `row` reads them and nothing else, `clean` puts them in order.
+//!
+//! A text is never held as a whole: each step reads it from its beginning, or parts of it (`text`), some lines at a time
+//! (`blocks`). Memory goes to the columns that are kept, whatever else the file holds; only workbooks, which their
+//! library holds, are read at once.
 
 mod archive;
 mod below;
+mod blocks;
 mod clean;
 mod column;
 mod comma;
 mod compound;
+mod encoding;
 mod error;
 mod header;
 mod heading;
@@ -22,13 +28,16 @@ mod row;
 mod sheet;
 mod size;
 mod source;
+mod text;
 mod times;
 mod unit;
 
-pub use error::{Field, Found, ReadError};
+pub use error::{Field, Found, ReadError, SystemError};
 pub use line::Separator;
 pub use number::Decimal;
 pub use source::Container;
+
+use std::io::{self, Cursor};
 
 use crate::{Quantity, Recording};
 use column::Run;
@@ -36,8 +45,9 @@ use layout::Layout;
 use row::Kept;
 use times::Times;
 
-/// Most bytes of a table, unpacked.
-pub const LARGEST_TABLE: u64 = 1 << 32;
+/// Most bytes that a table of an archive or a workbook unpacks to: a small file may unpack to more than any disk holds. A
+/// text that is not packed may be as large as its disk allows.
+pub const LARGEST_UNPACKED: u64 = 1 << 32;
 
 /// Most columns of a table.
 pub const MOST_COLUMNS: usize = 4096;
@@ -189,15 +199,27 @@ pub struct Read {
     pub dialect: Dialect,
 }
 
-/// Reads all runs of a file, or the one that is chosen; never none.
+/// Reads all runs of a file in memory, or the one that is chosen; never none.
 ///
 /// # Errors
 /// What was found instead of a recording. Of several runs some may be none: a note with the others says so.
 pub fn recordings(bytes: &[u8], choice: &Choice) -> Result<Vec<Read>, ReadError> {
-    let source = source::open(bytes, choice)?;
-    let text = source.text.as_ref();
+    recordings_from(Cursor::new(bytes), choice)
+}
+
+/// Reads all runs of a file, as [`recordings`] does, from its beginning wherever it stands, some of it more than once. A
+/// file of text is never held as a whole.
+///
+/// # Errors
+/// As [`recordings`], and [`ReadError::System`] where the file cannot be read.
+pub fn recordings_from(
+    mut file: impl io::Read + io::Seek,
+    choice: &Choice,
+) -> Result<Vec<Read>, ReadError> {
+    let mut source = source::open(&mut file, choice)?;
+    let text = &mut source.text;
     let layout = Layout::of(text, source.container.is_workbook())?;
-    let sizes = size::sizes(text, &layout);
+    let sizes = size::sizes(text, &layout)?;
     let runs = column::runs(&layout, &sizes, choice)?;
     let dialect = Dialect {
         container: source.container,

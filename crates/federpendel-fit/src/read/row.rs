@@ -1,12 +1,12 @@
 //! The rows of a table: numbers of the columns that are kept, and of no others.
 
-use memchr::memchr_iter;
-
+use super::blocks::{Block, LONGEST_LINE};
 use super::column::Run;
 use super::error::ReadError;
 use super::layout::Layout;
 use super::line::{Cells, Line, Lines, excerpt};
 use super::number::{self, Cell};
+use super::text::Text;
 use super::times::Times;
 use super::unit::Unit;
 use super::{LARGEST_NUMBER, Rows};
@@ -62,27 +62,27 @@ impl LineNumbers {
 }
 
 /// Reads all rows.
-pub(super) fn read(text: &[u8], layout: &Layout, runs: Vec<Run>) -> Result<Vec<Kept>, ReadError> {
-    // Room for as many rows as there can be: a value takes two bytes at least.
-    let lines = memchr_iter(layout.end, &text[layout.start..]).count() + 1;
-    let most = lines.min((text.len() - layout.start) / (2 * runs.len()) + 1);
-    let mut kept: Vec<Kept> = runs.into_iter().map(|run| Kept::new(run, most)).collect();
+pub(super) fn read(
+    text: &mut Text,
+    layout: &Layout,
+    runs: Vec<Run>,
+) -> Result<Vec<Kept>, ReadError> {
+    let mut kept: Vec<Kept> = runs.into_iter().map(Kept::new).collect();
     let reader = Reader { layout, several: kept.len() > 1 };
-    let mut cells = Vec::with_capacity(layout.headings.len() + 1);
-    for line in Lines::new(text, layout.end, layout.start, layout.line) {
-        cells.clear();
-        cells.extend(Cells::new(line.text, layout.separator));
-        match reader.fit(&line, &mut cells)? {
-            Row::None => continue,
-            Row::CutOff => kept.iter_mut().for_each(|kept| kept.cut_off = Some(line.number)),
-            Row::Whole => {
-                for kept in &mut kept {
-                    kept.take(&reader, line.number, &cells)?;
-                }
+    let mut lines = text.lines(layout.end, layout.start as u64)?;
+    let mut number = layout.line;
+    loop {
+        let block = match lines.next()? {
+            Block::Lines(block) => block,
+            Block::LongLine => {
+                return Err(ReadError::LongLine { line: number, most: LONGEST_LINE });
             }
-        }
+            Block::End => return Ok(kept),
+        };
+        number = reader.rows(block, number, &mut kept)?;
+        let read = block.len();
+        lines.consume(read);
     }
-    Ok(kept)
 }
 
 struct Reader<'a> {
@@ -99,6 +99,27 @@ enum Row {
 }
 
 impl Reader<'_> {
+    /// Reads some lines, of which the first has this number; returns that of the line behind them.
+    fn rows(&self, block: &[u8], number: usize, kept: &mut [Kept]) -> Result<usize, ReadError> {
+        let mut cells = Vec::with_capacity(self.layout.headings.len() + 1);
+        let mut next = number;
+        for line in Lines::new(block, self.layout.end, 0, number) {
+            next = line.number + 1;
+            cells.clear();
+            cells.extend(Cells::new(line.text, self.layout.separator));
+            match self.fit(&line, &mut cells)? {
+                Row::None => continue,
+                Row::CutOff => kept.iter_mut().for_each(|kept| kept.cut_off = Some(line.number)),
+                Row::Whole => {
+                    for kept in &mut *kept {
+                        kept.take(self, line.number, &cells)?;
+                    }
+                }
+            }
+        }
+        Ok(next)
+    }
+
     /// Holds the cells of a line against the columns. Empty cells may follow; of runs side by side the shorter may end.
     #[inline]
     fn fit(&self, line: &Line, cells: &mut Vec<&[u8]>) -> Result<Row, ReadError> {
@@ -154,11 +175,11 @@ impl Reader<'_> {
 }
 
 impl Kept {
-    fn new(run: Run, most: usize) -> Self {
+    fn new(run: Run) -> Self {
         Kept {
             run,
-            times: Vec::with_capacity(most),
-            values: Vec::with_capacity(most),
+            times: Vec::new(),
+            values: Vec::new(),
             lines: LineNumbers::default(),
             missing: None,
             cut_off: None,

@@ -2,21 +2,23 @@
 //! one reader serves both.
 
 use std::fmt::Write;
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 
 use calamine::{DataType, ExcelDateTime, Reader, Xls, XlsError, Xlsx, XlsxError};
 
 use super::error::ReadError;
 use super::layout::START;
 use super::source::{self, Container, Source};
-use super::{Choice, LARGEST_TABLE, MOST_COLUMNS, compound, line};
+use super::text::{File, Text};
+use super::{Choice, LARGEST_UNPACKED, MOST_COLUMNS, compound, line};
 
 /// Opens a workbook.
 pub(super) fn open<'a>(
-    bytes: &'a [u8],
+    file: &mut dyn File,
     container: Container,
     choice: &Choice,
 ) -> Result<Source<'a>, ReadError> {
+    let bytes = &whole(file)?;
     // On some damaged workbooks the library panics.
     let opened = std::panic::catch_unwind(|| match container {
         Container::Xls => xls(bytes, choice),
@@ -28,7 +30,18 @@ pub(super) fn open<'a>(
     if text.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
-    Ok(Source { text: text.into(), container, table: Some(line::plain(table.chars())) })
+    let table = Some(line::plain(table.chars()));
+    Ok(Source { text: Text::utf8(text), container, table })
+}
+
+/// All of a workbook, which its library holds anyway.
+fn whole(file: &mut dyn File) -> Result<Vec<u8>, ReadError> {
+    let (mut bytes, most) = (Vec::new(), LARGEST_UNPACKED);
+    file.rewind()?;
+    match file.take(most + 1).read_to_end(&mut bytes)? as u64 {
+        found if found > most => Err(ReadError::TooLarge { bytes: found, most }),
+        _ => Ok(bytes),
+    }
 }
 
 fn xlsx(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
@@ -48,7 +61,7 @@ fn xlsx(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
     };
     let holds = |sheet: &str| {
         let start: Result<Vec<u8>, ReadError> = text(sheet, START);
-        start.is_ok_and(|start| source::holds_recording(&start, Container::Xlsx, choice))
+        start.is_ok_and(|start| source::holds_recording(Text::utf8(start), Container::Xlsx, choice))
     };
     let table = chosen(sheets, choice, holds)?;
     let text = text(&table, usize::MAX)?;
@@ -71,7 +84,7 @@ fn xls(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
     };
     let holds = |sheet: &str| {
         let whole: Result<Vec<u8>, ReadError> = text(sheet);
-        whole.is_ok_and(|text| source::holds_recording(&text, Container::Xls, choice))
+        whole.is_ok_and(|text| source::holds_recording(Text::utf8(text), Container::Xls, choice))
     };
     let table = chosen(sheets, choice, holds)?;
     let text = text(&table)?;
@@ -112,7 +125,7 @@ impl Grid {
             let found = column as usize + 1;
             return Err(ReadError::TooManyColumns { found, most: MOST_COLUMNS });
         }
-        let most = LARGEST_TABLE;
+        let most = LARGEST_UNPACKED;
         let bytes = self.text.len() as u64 + u64::from(row - self.row) + u64::from(column);
         if bytes > most {
             return Err(ReadError::TooLarge { bytes, most });

@@ -1,13 +1,16 @@
 //! How much each column oscillates, from rows spread over the whole file.
 
+use super::blocks::{Block, Blocks};
+use super::error::ReadError;
 use super::layout::Layout;
-use super::line::{Cells, Lines};
+use super::line::{Cells, Line, Lines};
 use super::number::{self, Cell};
+use super::text::Text;
 
 /// Bytes that are looked at as a whole; of larger tables [`BLOCKS`] are, of [`BLOCK`] bytes each.
-const WHOLE: usize = 1 << 21;
-const BLOCKS: usize = 128;
-const BLOCK: usize = 1 << 14;
+const WHOLE: u64 = 1 << 21;
+const BLOCKS: u64 = 128;
+const BLOCK: u64 = 1 << 14;
 
 /// What a sample says of a column: running sums for a straight line through it, since what drifts does not oscillate.
 #[derive(Debug, Clone, Default)]
@@ -67,37 +70,62 @@ impl Size {
 }
 
 /// The sizes of all columns.
-pub(super) fn sizes(text: &[u8], layout: &Layout) -> Vec<Size> {
+pub(super) fn sizes(text: &mut Text, layout: &Layout) -> Result<Vec<Size>, ReadError> {
+    let start = layout.start as u64;
+    let rows = text.length()?.saturating_sub(start);
+    let mut lines = text.lines(layout.end, start)?;
     let mut sizes = vec![Size::default(); layout.headings.len()];
-    let rows = text.len() - layout.start;
     if rows <= WHOLE {
-        look(text, layout, layout.start..text.len(), &mut sizes);
-        return sizes;
+        look(&mut lines, layout, WHOLE, &mut sizes)?;
+        return Ok(sizes);
     }
     for block in 0..BLOCKS {
-        let from = layout.start + rows / BLOCKS * block;
-        // On to the next line.
-        let from = match memchr::memchr(layout.end, &text[from..]) {
-            Some(at) if block > 0 => from + at + 1,
-            _ => from,
-        };
-        look(text, layout, from..(from + BLOCK).min(text.len()), &mut sizes);
+        let from = start + rows / BLOCKS * block;
+        if from > lines.at() {
+            lines.skip_to(from)?;
+            lines.skip_line()?;
+        }
+        look(&mut lines, layout, BLOCK, &mut sizes)?;
     }
-    sizes
+    Ok(sizes)
 }
 
-fn look(text: &[u8], layout: &Layout, range: std::ops::Range<usize>, sizes: &mut [Size]) {
-    let lines = Lines::new(text, layout.end, range.start, 1);
-    for line in lines.take_while(|line| line.start < range.end).filter(|line| !line.is_comment()) {
-        for (size, cell) in sizes.iter_mut().zip(Cells::new(line.text, layout.separator)) {
-            match number::read(cell, layout.decimal) {
-                Cell::Number(value) if value.is_finite() => size.add(line.start as f64, value),
-                Cell::Text => {
-                    size.texts += 1;
-                    size.clocks += usize::from(number::clock(cell).is_some());
-                }
-                _ => {}
+/// Looks at the lines that begin within so many bytes; a line too long to be read ends them.
+fn look(
+    lines: &mut Blocks,
+    layout: &Layout,
+    bytes: u64,
+    sizes: &mut [Size],
+) -> Result<(), ReadError> {
+    let end = lines.at() + bytes;
+    while lines.at() < end {
+        let at = lines.at();
+        let Block::Lines(block) = lines.next()? else { break };
+        let mut seen = block.len();
+        for line in Lines::new(block, layout.end, 0, 1) {
+            let start = at + line.start as u64;
+            if start >= end {
+                seen = line.start;
+                break;
             }
+            if !line.is_comment() {
+                add(&line, start as f64, layout, sizes);
+            }
+        }
+        lines.consume(seen);
+    }
+    Ok(())
+}
+
+fn add(line: &Line, at: f64, layout: &Layout, sizes: &mut [Size]) {
+    for (size, cell) in sizes.iter_mut().zip(Cells::new(line.text, layout.separator)) {
+        match number::read(cell, layout.decimal) {
+            Cell::Number(value) if value.is_finite() => size.add(at, value),
+            Cell::Text => {
+                size.texts += 1;
+                size.clocks += usize::from(number::clock(cell).is_some());
+            }
+            _ => {}
         }
     }
 }

@@ -1,11 +1,14 @@
-//! From the bytes of a file to the text of one table.
+//! From a file to the text of one table.
 
-use std::borrow::Cow;
+use std::io::Read;
 
-use super::error::{Found, ReadError};
+use super::error::ReadError;
 use super::layout::Layout;
-use super::line::excerpt;
-use super::{Choice, LARGEST_TABLE, archive, column, sheet, size};
+use super::text::{File, Raw, Text};
+use super::{Choice, archive, column, sheet, size};
+
+/// Bytes that tell an archive or a workbook.
+const LONGEST_MAGIC: u64 = 8;
 
 /// What a table came in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,84 +32,33 @@ impl Container {
 
 /// The text of a table.
 pub(super) struct Source<'a> {
-    pub text: Cow<'a, [u8]>,
+    pub text: Text<'a>,
     pub container: Container,
     /// Name of the sheet, or of the file within the archive.
     pub table: Option<String>,
 }
 
-/// First bytes of files that are no tables.
-const MAGIC: &[(&[u8], Found)] = &[
-    (b"\x89PNG", Found::Picture),
-    (b"\xff\xd8\xff", Found::Picture),
-    (b"GIF8", Found::Picture),
-    (b"%PDF", Found::Pdf),
-    (b"\x1f\x8b", Found::Gzip),
-    (b"RIFF", Found::Media),
-    (b"\x89HDF", Found::Hdf5),
-    (b"MATLAB 5", Found::Hdf5),
-];
-
 /// Opens a file.
-pub(super) fn open<'a>(bytes: &'a [u8], choice: &Choice) -> Result<Source<'a>, ReadError> {
+pub(super) fn open<'a>(file: &'a mut dyn File, choice: &Choice) -> Result<Source<'a>, ReadError> {
+    let mut bytes = Vec::new();
+    file.rewind()?;
+    file.take(LONGEST_MAGIC).read_to_end(&mut bytes)?;
     if bytes.is_empty() {
         return Err(ReadError::Empty);
     }
     // The second begins an archive of no files.
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
-        return archive::open(bytes, choice);
+        return archive::open(file, choice);
     }
     if bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
-        return sheet::open(bytes, Container::Xls, choice);
+        return sheet::open(file, Container::Xls, choice);
     }
     if let Some(asked) = &choice.table {
         let asked = Some(asked.clone());
         return Err(ReadError::TableNotFound { asked, tables: Vec::new() });
     }
-    Ok(Source { text: text(bytes)?, container: Container::Text, table: None })
-}
-
-/// The bytes of a text, in an encoding that has ASCII in it: UTF-16 is turned into UTF-8.
-pub(super) fn text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
-    if bytes.len() as u64 > LARGEST_TABLE {
-        return Err(ReadError::TooLarge { bytes: bytes.len() as u64, most: LARGEST_TABLE });
-    }
-    let refused = |found| Err(ReadError::NoTable { found, line: 1, text: excerpt(bytes) });
-    if let Some((_, found)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
-        return refused(*found);
-    }
-    if let Some(rest) = bytes.strip_prefix(b"\xef\xbb\xbf") {
-        return Ok(Cow::Borrowed(rest));
-    }
-    match bytes {
-        [0xff, 0xfe, rest @ ..] => return Ok(Cow::Owned(utf16(rest, u16::from_le_bytes))),
-        [0xfe, 0xff, rest @ ..] => return Ok(Cow::Owned(utf16(rest, u16::from_be_bytes))),
-        [first, 0, second, 0, ..] if *first != 0 && *second != 0 => {
-            return Ok(Cow::Owned(utf16(bytes, u16::from_le_bytes)));
-        }
-        [0, first, 0, second, ..] if *first != 0 && *second != 0 => {
-            return Ok(Cow::Owned(utf16(bytes, u16::from_be_bytes)));
-        }
-        _ => {}
-    }
-    let start = &bytes[..bytes.len().min(1 << 16)];
-    let control = |byte: &&u8| matches!(byte, 0..=8 | 14..=26 | 28..=31);
-    if start.contains(&0) || start.iter().filter(control).count() * 20 > start.len() {
-        return refused(Found::Binary);
-    }
-    match start.trim_ascii_start() {
-        [b'<', ..] => refused(Found::Xml),
-        [b'{', ..] | [b'[', b'{' | b'[' | b'\n', ..] => refused(Found::Json),
-        _ => Ok(Cow::Borrowed(bytes)),
-    }
-}
-
-fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
-    let (pairs, _) = bytes.as_chunks::<2>();
-    let units = pairs.iter().map(|pair| unit(*pair));
-    let mut text = String::with_capacity(pairs.len());
-    text.extend(char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)));
-    text.into_bytes()
+    let text = Text::new(Raw::File(Box::new(file)))?;
+    Ok(Source { text, container: Container::Text, table: None })
 }
 
 /// Chooses one of several tables: by its name, without its folder or extension if need be; else one of raw data, as
@@ -145,8 +97,11 @@ pub(super) fn choose(
 }
 
 /// Whether a table that begins so may hold a recording: numbers, and times among them or a rate.
-pub(super) fn holds_recording(start: &[u8], container: Container, choice: &Choice) -> bool {
+pub(super) fn holds_recording(mut start: Text, container: Container, choice: &Choice) -> bool {
     let rate = Choice { rate: choice.rate, ..Choice::default() };
-    Layout::of(start, container.is_workbook())
-        .is_ok_and(|layout| column::runs(&layout, &size::sizes(start, &layout), &rate).is_ok())
+    let layout = Layout::of(&mut start, container.is_workbook());
+    layout.is_ok_and(|layout| {
+        let sizes = size::sizes(&mut start, &layout);
+        sizes.is_ok_and(|sizes| column::runs(&layout, &sizes, &rate).is_ok())
+    })
 }

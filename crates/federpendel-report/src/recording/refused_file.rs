@@ -162,6 +162,9 @@ fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
                 ("most", exact(*most, "1")),
             ],
         ),
+        ReadError::LongLine { most, .. } => {
+            catalogue.format("recording-long-line", &[("most", most.to_string().into())])
+        }
         ReadError::TooFewRows { rows, least } => catalogue.format(
             "recording-too-few-rows",
             &[("rows", (*rows).into()), ("least", (*least).into())],
@@ -190,6 +193,7 @@ pub(super) fn line(error: &ReadError) -> Option<usize> {
         ReadError::NoRows { line, .. }
         | ReadError::HeaderCells { line, .. }
         | ReadError::Commas { line, .. }
+        | ReadError::LongLine { line, .. }
         | ReadError::Cells { line, .. }
         | ReadError::NoNumber { line, .. }
         | ReadError::OutOfRange { line, .. }
@@ -257,6 +261,7 @@ mod tests {
             ("{\"x\": 1}", &none, "a.csv:1: ", "JSON"),
             ("\nDear reader", &none, "a.csv:2: ", "Dear reader"),
             ("t (s),x (m)\n", &none, "a.csv:1: ", "t (s),x (m)"),
+            (&format!("{rows}{}", " ".repeat(1 << 20)), &none, "a.csv:6: ", "1048576"),
             (&format!("{rows}4,much\n"), &none, "a.csv:6: ", "much"),
             (&format!("{rows}4,1e101\n"), &none, "a.csv:6: ", "1e101"),
             (&format!("{rows}4,5,6\n"), &none, "a.csv:6: ", "3"),

@@ -8,6 +8,7 @@ recording-empty = In der Datei oder in ihrer Tabelle steht nichts; erlaubt ist {
 recording-no-table = Das ist { $found }; erlaubt ist { $allowed }
 recording-no-table-text = Das ist { $found } („{ $text }“); erlaubt ist { $allowed }
 recording-too-large = Entpackt sind das mindestens { $bytes } Bytes; erlaubt sind { $most }
+recording-long-line = Die Zeile hat mehr als { $most } Bytes; erlaubt ist eine Tabelle, in der jede Messung in einer eigenen Zeile steht
 recording-damaged = Die Datei lässt sich nicht öffnen (die Leseroutine sagt auf Englisch: { $reason }); erlaubt ist ein unbeschädigtes Archiv oder eine unbeschädigte Mappe
 recording-several-tables = Die Datei enthält mehrere Tabellen, und keine ist angegeben (--table); erlaubt sind { $tables }
 recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat oder .asc liegt, oder eine Mappe mit einem Blatt voller Zahlen

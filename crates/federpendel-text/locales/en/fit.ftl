@@ -8,6 +8,7 @@ recording-empty = nothing stands in the file, or in its table; allowed is { $all
 recording-no-table = this is { $found }; allowed is { $allowed }
 recording-no-table-text = this is { $found } (“{ $text }”); allowed is { $allowed }
 recording-too-large = unpacked this has { $bytes } bytes or more; allowed are { $most }
+recording-long-line = the line has more than { $most } bytes; allowed is a table with each measurement in a line of its own
 recording-damaged = the file cannot be opened (its reader says: { $reason }); allowed is an archive or a workbook that is whole
 recording-several-tables = the file holds several tables and none is named (--table); allowed are { $tables }
 recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat or .asc in it, or a workbook with a sheet of numbers
