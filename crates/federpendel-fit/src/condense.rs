@@ -73,28 +73,39 @@ fn blocks(times: &[f64], size: usize, longest: f64) -> Vec<usize> {
 impl Condensed {
     /// All values of `recording` within a window of the means, and that window among them. It begins with the first
     /// value after the first mean, whose time is that of the initial state.
-    pub fn whole(&self, recording: &Recording, window: &Window) -> (Whole, Window) {
+    pub fn whole<'a>(&self, recording: &'a Recording, window: &Window) -> (Whole<'a>, Window) {
         let first = recording.times.partition_point(|time| *time < window.from);
         let end = self.starts[window.end];
-        let times = std::iter::once(window.from).chain(recording.times[first..end].iter().copied());
-        let values = std::iter::once(0.0).chain(recording.values[first..end].iter().copied());
-        let problem = Problem::new(times.collect(), values.collect(), recording.quantity);
         let to = recording.times[end - 1];
-        (Whole { problem }, Window { first, end, to, ..*window })
+        let window = Window { first, end, to, ..*window };
+        (Whole { recording, window }, window)
     }
 }
 
 /// All values of a condensed recording.
-pub struct Whole {
-    problem: Problem,
+pub struct Whole<'a> {
+    recording: &'a Recording,
+    window: Window,
 }
 
-impl Whole {
+/// Parts that residuals of all values are computed in: the model walks on from the initial state for each, but no more
+/// than a part of the values is copied.
+const PARTS: usize = 8;
+
+impl Whole<'_> {
     /// Value minus model at each.
-    pub fn residuals(&mut self, minimum: &Minimum) -> Option<Vec<f64>> {
-        let mut residuals = self.problem.residuals(&minimum.at, minimum.ending)?;
-        // The first time is only that of the initial state.
-        residuals.remove(0);
+    pub fn residuals(&self, minimum: &Minimum) -> Option<Vec<f64>> {
+        let Window { first, end, from, .. } = self.window;
+        let (times, values) =
+            (&self.recording.times[first..end], &self.recording.values[first..end]);
+        let size = times.len().div_ceil(PARTS).max(1);
+        let mut residuals = Vec::with_capacity(times.len());
+        for (times, values) in times.chunks(size).zip(values.chunks(size)) {
+            // The first time is only that of the initial state.
+            let (times, values) = ([&[from], times].concat(), [&[0.0], values].concat());
+            let mut part = Problem::new(times, values, self.recording.quantity);
+            residuals.extend_from_slice(&part.residuals(&minimum.at, minimum.ending)?[1..]);
+        }
         Some(residuals)
     }
 }

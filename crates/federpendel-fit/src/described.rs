@@ -19,7 +19,7 @@ use crate::stop;
 /// two of them, each known about as well as half a swing of values tells.
 const BLUR: f64 = 4.0;
 
-impl Fits {
+impl Fits<'_> {
     /// All that is known of a fitted mix.
     pub fn model(&mut self, fitted: &Fitted, intervals: Intervals, sigma: Option<f64>) -> Model {
         let (minimum, free) = (&fitted.minimum, free(fitted.mix));

@@ -1,5 +1,7 @@
 //! The extremes of a recording: where it turns, before anything is known about the motion.
 
+use std::borrow::Cow;
+
 use nalgebra::{Matrix3, Vector3};
 
 /// A local extreme of the recorded quantity.
@@ -37,7 +39,7 @@ const OUTLIER: f64 = 8.0;
 
 /// Looks at `values` at rising `times`; none if they never move or turn less than twice.
 pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
-    let values = &without_outliers(values);
+    let values: &[f64] = &without_outliers(values);
     let (low, high) = bounds(values);
     let range = high - low;
     if range <= 0.0 {
@@ -51,6 +53,8 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     let mut found = None;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     for _ in 0..2 {
+        // Of a large recording one smoothed copy is enough.
+        drop(found.take());
         // To the middle between two times: else rounding decides which of them it takes in.
         let reach = ((REACH * half / step).floor() + 0.5) * step;
         let smooth = smoothed(times, values, reach);
@@ -86,14 +90,14 @@ pub fn spread(numbers: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The values, with those that stand far off the median of five neighbours replaced by it.
-fn without_outliers(values: &[f64]) -> Vec<f64> {
+fn without_outliers(values: &[f64]) -> Cow<'_, [f64]> {
     let limit = OUTLIER * fast_noise(values);
-    let mut clean = values.to_vec();
+    let mut clean = Cow::Borrowed(values);
     for (i, around) in values.windows(5).enumerate() {
         let mut five = [around[0], around[1], around[2], around[3], around[4]];
         let middle = median(&mut five).unwrap_or(around[2]);
         if limit > 0.0 && (around[2] - middle).abs() > limit {
-            clean[i + 2] = middle;
+            clean.to_mut()[i + 2] = middle;
         }
     }
     clean

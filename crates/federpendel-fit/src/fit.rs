@@ -66,16 +66,16 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
 }
 
 /// The fits of all mixes to one window.
-pub struct Fits {
+pub struct Fits<'a> {
     pub problem: Problem,
     /// All values, where those of the problem are means.
-    whole: Option<Whole>,
+    whole: Option<Whole<'a>>,
     fitted: Vec<Fitted>,
     pub excess: Excess,
     pub effective: f64,
 }
 
-impl Fits {
+impl Fits<'_> {
     fn new(recording: &Recording, found: &Found, options: &Options) -> Result<Self, FitError> {
         let Window { first, end, from, to, .. } = found.window;
         let values = recording.values[first..end].to_vec();
@@ -209,7 +209,7 @@ impl Fits {
 
     /// Value minus model at every value.
     fn residuals(&mut self, minimum: &Minimum) -> Option<Vec<f64>> {
-        match &mut self.whole {
+        match &self.whole {
             Some(whole) => whole.residuals(minimum),
             None => self.problem.residuals(&minimum.at, minimum.ending),
         }
@@ -218,7 +218,7 @@ impl Fits {
     /// The sum of squares of a fit over every value, and their number.
     pub fn cost(&mut self, minimum: &Minimum) -> (f64, usize) {
         let means = (minimum.normal.cost, self.problem.len());
-        let whole = self.whole.as_mut().and_then(|whole| whole.residuals(minimum));
+        let whole = self.whole.as_ref().and_then(|whole| whole.residuals(minimum));
         whole.map_or(means, |all| (mean_square(&all) * all.len() as f64, all.len()))
     }
 

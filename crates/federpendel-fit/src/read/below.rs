@@ -8,10 +8,13 @@ pub(super) fn runs(mut kept: Vec<Kept>, asked: Option<&str>) -> Result<Vec<Kept>
     if !matches!(kept.as_slice(), [only] if only.run.name.is_none()) {
         return Ok(kept);
     }
-    while let Some(row) = kept.last().and_then(|last| starts_over(&last.times)) {
-        let rest = kept.last_mut().map(|last| last.split_off(row));
-        kept.extend(rest);
+    // The last is taken away first: no row is copied more than once.
+    let starts = kept.last().map_or_else(Vec::new, |all| starts(&all.times));
+    let mut runs: Vec<Kept> = Vec::new();
+    for row in starts.into_iter().rev() {
+        runs.extend(kept.last_mut().map(|all| all.split_off(row)));
     }
+    kept.extend(runs.into_iter().rev());
     if kept.len() > 1 {
         for (at, kept) in kept.iter_mut().enumerate() {
             kept.run.name = Some((at + 1).to_string());
@@ -23,6 +26,16 @@ pub(super) fn runs(mut kept: Vec<Kept>, asked: Option<&str>) -> Result<Vec<Kept>
         Some(at) => Ok(vec![kept.swap_remove(at)]),
         None => Err(ReadError::RunNotFound { asked: asked.to_owned(), runs }),
     }
+}
+
+/// The rows that begin all runs but the first.
+fn starts(times: &[f64]) -> Vec<usize> {
+    let mut starts: Vec<usize> = Vec::new();
+    let last = |starts: &[usize]| starts.last().copied().unwrap_or(0);
+    while let Some(row) = starts_over(&times[last(&starts)..]) {
+        starts.push(last(&starts) + row);
+    }
+    starts
 }
 
 /// The first row whose time has fallen to the first tenth of those before and rises from there, as they did; none where

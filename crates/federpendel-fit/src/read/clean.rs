@@ -61,7 +61,8 @@ fn sorted(
     }
     notes.push(Note::Sorted(Rows { count, first_line: lines.of(first + 1) }));
     let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    // Rows of one time stay in order, without the room that a stable sort takes.
+    order.sort_unstable_by(|a, b| times[*a].total_cmp(&times[*b]).then(a.cmp(b)));
     *times = order.iter().map(|row| times[*row]).collect();
     *values = order.iter().map(|row| values[*row]).collect();
     Ok(Some(order))

@@ -202,10 +202,14 @@ impl Kept {
     pub fn split_off(&mut self, row: usize) -> Self {
         let lines = self.lines.split_off(row);
         let below = |rows: &mut Rows| rows.first_line >= lines.of(0);
+        let (times, values) = (self.times.split_off(row), self.values.split_off(row));
+        // Their room is given back, else every run would hold that of all behind it.
+        self.times.shrink_to_fit();
+        self.values.shrink_to_fit();
         Kept {
             run: self.run.clone(),
-            times: self.times.split_off(row),
-            values: self.values.split_off(row),
+            times,
+            values,
             missing: self.missing.take_if(below),
             lines,
             cut_off: self.cut_off.take(),

@@ -31,10 +31,12 @@ const MOST_MARKERS: usize = 60;
 impl Plot {
     /// The recorded values, those outside the fitted part in grey, and the fit.
     pub fn recording(catalogue: &Catalogue, data: &RecordingData<'_>) -> Self {
-        let mut plot = frame(catalogue, data, data.values);
+        let (low, high) = extremes(data.values.iter().copied());
+        let mut plot = frame(catalogue, data, (low, high));
         let inside = data.first..data.first + data.fitted.len();
         let pairs = |range: std::ops::Range<usize>| {
-            data.times[range.clone()].iter().copied().zip(data.values[range].iter().copied())
+            let values = data.values[range.clone()].iter().copied();
+            sketch(&data.times[range], values)
         };
         let outside = [0..inside.start, inside.end..data.values.len()];
         for (place, range) in outside.into_iter().enumerate().filter(|(_, range)| !range.is_empty())
@@ -48,9 +50,8 @@ impl Plot {
             Style::Line { dash: Dash::Solid, width: 1.6 }
         };
         plot.add(catalogue.text("plot-recorded"), Role::Exact, style, pairs(inside.clone()));
-        let fit = data.times[inside].iter().copied().zip(data.fitted.iter().copied());
+        let fit = sketch(&data.times[inside], data.fitted.iter().copied());
         plot.add(catalogue.text("plot-fit"), Role::Comparison(1), Style::LONG_DASHED, fit);
-        let (low, high) = extremes(data.values);
         let duration =
             data.times.last().copied().unwrap_or(0.0) - data.times.first().copied().unwrap_or(0.0);
         plot.description = catalogue.format(
@@ -69,40 +70,100 @@ impl Plot {
     /// Recorded minus fitted, over the fitted part.
     pub fn residuals(catalogue: &Catalogue, data: &RecordingData<'_>) -> Self {
         let inside = data.first..data.first + data.fitted.len();
-        let residuals: Vec<f64> = data.values[inside.clone()]
-            .iter()
-            .zip(data.fitted)
-            .map(|(value, fit)| value - fit)
-            .collect();
+        let residuals =
+            || data.values[inside.clone()].iter().zip(data.fitted).map(|(value, fit)| value - fit);
         let residual = catalogue.text("plot-residual-axis");
         let data = &RecordingData { quantity: &residual, ..*data };
-        let mut plot = frame(catalogue, data, &residuals);
-        let square = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len().max(1) as f64;
+        let mut plot = frame(catalogue, data, extremes(residuals()));
+        let square = residuals().map(|r| r * r).sum::<f64>() / data.fitted.len().max(1) as f64;
         plot.description = catalogue.format(
             "plot-residuals-description",
             &[("rms", catalogue.quantity(square.sqrt(), data.unit, 2).into())],
         );
-        let points = data.times[inside].iter().copied().zip(residuals);
+        let points = sketch(&data.times[inside.clone()], residuals());
         plot.add(catalogue.text("plot-residual"), Role::Comparison(1), Style::THIN, points);
         plot
     }
 }
 
-fn frame(catalogue: &Catalogue, data: &RecordingData<'_>, values: &[f64]) -> Plot {
+fn frame(catalogue: &Catalogue, data: &RecordingData<'_>, (low, high): (f64, f64)) -> Plot {
     let end = data.times.last().copied().unwrap_or(0.0).abs();
     let time = Axis::new(catalogue, &catalogue.text("plot-time"), "t", "s", end);
     let time = match data.times {
         [first, .., last] => time.spanning(*first, *last),
         _ => time,
     };
-    let (low, high) = extremes(values);
     let unit = if data.unit.is_empty() { "1" } else { data.unit };
     let value = Axis::new(catalogue, data.quantity, data.symbol, unit, low.abs().max(high.abs()));
     Plot::new(catalogue, data.title.to_owned(), time, value)
 }
 
-fn extremes(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
+fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     })
+}
+
+/// The points of a curve, of a large recording only those that a picture many times as wide as any could show: of each
+/// column the first, the lowest, the highest and the last.
+fn sketch(times: &[f64], values: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    const COLUMNS: usize = 20_000;
+    let points = times.iter().copied().zip(values);
+    let (Some(first), Some(last)) = (times.first(), times.last()) else { return Vec::new() };
+    if times.len() <= 4 * COLUMNS {
+        return points.collect();
+    }
+    let column = |time: f64| ((time - first) / (last - first) * COLUMNS as f64) as usize;
+    let mut sketch = Vec::new();
+    // First, lowest, highest and last of a column.
+    let mut corners: Option<[(f64, f64); 4]> = None;
+    for point in points {
+        match &mut corners {
+            Some([first, low, high, last]) if column(first.0) == column(point.0) => {
+                *last = point;
+                if point.1 < low.1 {
+                    *low = point;
+                }
+                if point.1 > high.1 {
+                    *high = point;
+                }
+            }
+            _ => sketch.extend(corners.replace([point; 4]).into_iter().flat_map(in_order)),
+        }
+    }
+    sketch.extend(corners.into_iter().flat_map(in_order));
+    sketch
+}
+
+/// Points by time, each once.
+fn in_order(mut points: [(f64, f64); 4]) -> Vec<(f64, f64)> {
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut points = points.to_vec();
+    points.dedup();
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sketch_keeps_every_peak() {
+        let times: Vec<f64> = (0..1_000_000).map(|i| f64::from(i) * 1e-3).collect();
+        let mut values: Vec<f64> = times.iter().map(|time| (7.0 * time).sin()).collect();
+        (values[123_456], values[777_777]) = (5.0, -6.0);
+        let sketch = sketch(&times, values.iter().copied());
+        assert!(sketch.len() < 100_000, "{}", sketch.len());
+        assert!(sketch.is_sorted_by(|a, b| a.0 < b.0));
+        for i in [0, 123_456, 777_777, 999_999] {
+            assert!(sketch.contains(&(times[i], values[i])), "{i}");
+        }
+        // No value lies beyond the sketch around it.
+        let mut around = sketch.windows(2).map(|pair| (pair[0].0, pair[1].0));
+        assert!(around.all(|(from, to)| to - from < 2.0 * 1e3 / 20_000.0));
+        assert!(sketch.iter().all(|(time, value)| values[(time * 1e3).round() as usize] == *value));
+        let few = &times[..1000];
+        let all: Vec<_> = few.iter().copied().zip(values.iter().copied()).collect();
+        assert_eq!(super::sketch(few, values[..1000].iter().copied()), all);
+    }
 }
