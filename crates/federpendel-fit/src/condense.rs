@@ -6,7 +6,8 @@
 use crate::Recording;
 use crate::extremes::look;
 use crate::least_squares::Minimum;
-use crate::problem::Problem;
+use crate::model::evaluate;
+use crate::problem::parameters;
 use crate::window::Window;
 
 /// From so many values on a recording is condensed,
@@ -88,24 +89,35 @@ pub struct Whole<'a> {
     window: Window,
 }
 
-/// Parts that residuals of all values are computed in: the model walks on from the initial state for each, but no more
-/// than a part of the values is copied.
+/// Parts that residuals of all values are computed in: the model walks on from the initial state for each, but only the
+/// times of a part are copied.
 const PARTS: usize = 8;
 
 impl Whole<'_> {
-    /// Value minus model at each.
-    pub fn residuals(&self, minimum: &Minimum) -> Option<Vec<f64>> {
+    /// How many values there are.
+    pub fn len(&self) -> usize {
+        self.window.end - self.window.first
+    }
+
+    /// Hands out value minus model at each; none where the model cannot be computed.
+    pub fn residuals(&self, minimum: &Minimum, mut take: impl FnMut(f64)) -> Option<()> {
         let Window { first, end, from, .. } = self.window;
         let (times, values) =
             (&self.recording.times[first..end], &self.recording.values[first..end]);
         let size = times.len().div_ceil(PARTS).max(1);
-        let mut residuals = Vec::with_capacity(times.len());
+        // The first time is only that of the initial state.
+        let mut clock = Vec::with_capacity(1 + size);
+        let mut model = vec![0.0; 1 + size];
+        let stop = minimum.ending.stop(&minimum.at);
         for (times, values) in times.chunks(size).zip(values.chunks(size)) {
-            // The first time is only that of the initial state.
-            let (times, values) = ([&[from], times].concat(), [&[0.0], values].concat());
-            let mut part = Problem::new(times, values, self.recording.quantity);
-            residuals.extend_from_slice(&part.residuals(&minimum.at, minimum.ending)?[1..]);
+            clock.clear();
+            clock.push(from);
+            clock.extend_from_slice(times);
+            let model = &mut model[..clock.len()];
+            let (parameters, quantity) = (parameters(&minimum.at), self.recording.quantity);
+            evaluate(&parameters, stop, &clock, quantity, model, None).ok()?;
+            values.iter().zip(&model[1..]).for_each(|(value, model)| take(value - model));
         }
-        Some(residuals)
+        Some(())
     }
 }

@@ -210,16 +210,23 @@ impl Fits<'_> {
     /// Value minus model at every value.
     fn residuals(&mut self, minimum: &Minimum) -> Option<Vec<f64>> {
         match &self.whole {
-            Some(whole) => whole.residuals(minimum),
+            Some(whole) => {
+                let mut residuals = Vec::with_capacity(whole.len());
+                whole.residuals(minimum, |residual| residuals.push(residual))?;
+                Some(residuals)
+            }
             None => self.problem.residuals(&minimum.at, minimum.ending),
         }
     }
 
     /// The sum of squares of a fit over every value, and their number.
     pub fn cost(&mut self, minimum: &Minimum) -> (f64, usize) {
-        let means = (minimum.normal.cost, self.problem.len());
-        let whole = self.whole.as_ref().and_then(|whole| whole.residuals(minimum));
-        whole.map_or(means, |all| (mean_square(&all) * all.len() as f64, all.len()))
+        let whole = self.whole.as_ref().and_then(|whole| {
+            let mut cost = 0.0;
+            whole.residuals(minimum, |residual| cost += residual * residual)?;
+            Some((cost, whole.len()))
+        });
+        whole.unwrap_or((minimum.normal.cost, self.problem.len()))
     }
 
     fn reaches(&self, alternatives: &[Mix], best: &Fitted) -> Vec<Reach> {
