@@ -42,16 +42,11 @@ struct Input {
 impl Input {
     fn motion(&self) -> federpendel::Result<Motion> {
         let coulomb = |(kinetic, above, force, weight): &(Number, Number, Number, bool)| {
-            let force =
-                if *weight { NormalForce::Weight } else { NormalForce::Given }(force.0.abs());
+            let force = if *weight { NormalForce::Weight } else { NormalForce::Given }(force.0.abs());
             Coulomb::new(kinetic.0.abs(), kinetic.0.abs() + above.0.abs(), force)
         };
         let friction = Friction {
-            stokes: self
-                .damping
-                .as_ref()
-                .map(|damping| Stokes::new(damping.0.abs()))
-                .transpose()?,
+            stokes: self.damping.as_ref().map(|damping| Stokes::new(damping.0.abs())).transpose()?,
             coulomb: self.coulomb.as_ref().map(coulomb).transpose()?,
             newton: self.newton.as_ref().map(|drag| Newton::new(drag.0.abs())).transpose()?,
         };
