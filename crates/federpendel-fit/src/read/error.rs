@@ -1,7 +1,6 @@
 //! Why a file is refused: what was found, where, and what is allowed.
 
-use std::io;
-use std::sync::Arc;
+use super::system::SystemError;
 
 /// What a file is instead of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -41,17 +40,6 @@ impl Found {
             Found::Json => "json",
             Found::Prose => "prose",
         }
-    }
-}
-
-/// What the system says where it does not read a file.
-#[derive(Debug, Clone)]
-pub struct SystemError(pub Arc<io::Error>);
-
-impl PartialEq for SystemError {
-    fn eq(&self, other: &Self) -> bool {
-        let what = |error: &io::Error| (error.kind(), error.raw_os_error());
-        what(&self.0) == what(&other.0)
     }
 }
 
@@ -298,14 +286,4 @@ pub enum ReadError {
         /// The value.
         value: f64,
     },
-}
-
-impl From<io::Error> for ReadError {
-    /// What a stream refuses in its own words, else what the system says.
-    fn from(error: io::Error) -> Self {
-        match error.downcast::<ReadError>() {
-            Ok(refused) => refused,
-            Err(error) => ReadError::System(SystemError(Arc::new(error))),
-        }
-    }
 }

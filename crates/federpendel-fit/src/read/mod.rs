@@ -28,14 +28,16 @@ mod row;
 mod sheet;
 mod size;
 mod source;
+mod system;
 mod text;
 mod times;
 mod unit;
 
-pub use error::{Field, Found, ReadError, SystemError};
+pub use error::{Field, Found, ReadError};
 pub use line::Separator;
 pub use number::Decimal;
 pub use source::Container;
+pub use system::SystemError;
 
 use std::io::{self, Cursor};
 
