@@ -8,13 +8,14 @@ mod missing;
 mod plan;
 mod refuse;
 mod score;
+mod serve;
 
-pub use beside::Beside;
 pub use fit::Fit;
 pub(crate) use fit::QUANTITIES;
 pub(crate) use generate::{completions, man};
 pub use plan::Plan;
 pub use score::Score;
+pub use serve::Serve;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -49,6 +50,8 @@ pub enum Request {
     Plan(Plan),
     /// Hold samples against a reference problem.
     Score(Score),
+    /// Show the page.
+    Serve(Serve),
     /// Write the completions for a shell.
     Completions(Shell),
     /// Write the manual page.
@@ -185,6 +188,7 @@ pub(crate) fn parse(arguments: &[OsString], catalogue: &Catalogue) -> Result<Req
         Some(("man", _)) => Request::Man,
         Some(("plan", matches)) => Request::Plan(Plan::new(matches)),
         Some(("score", matches)) => Request::Score(Score::new(matches)),
+        Some(("serve", matches)) => Request::Serve(Serve::new(matches)),
         Some(("compare", matches)) => Request::Compare(compare(matches)),
         Some(("fit", matches)) => Request::Fit(Box::new(Fit::new(matches))),
         Some(("article", matches)) => Request::Article(article(matches)),

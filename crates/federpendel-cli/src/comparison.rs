@@ -1,9 +1,8 @@
 //! Methods beside the exact motion: which, how far they are from it, and what they cost.
 
-mod candidate;
 mod measured;
 
-pub(crate) use candidate::Candidate;
+pub(crate) use federpendel::lens::Candidate;
 pub(crate) use measured::Measured;
 
 use federpendel::Error;

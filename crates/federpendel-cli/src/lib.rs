@@ -12,12 +12,14 @@ mod load;
 mod output;
 mod plan;
 mod progress;
-pub mod quantity;
 mod record;
 mod score;
 mod sensor;
+mod serve;
 mod simulate;
 pub mod words;
+
+pub use federpendel_quantity as quantity;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -46,6 +48,7 @@ fn perform(request: &Request, catalogue: &Catalogue) -> Result<(), Failure> {
         Request::Fit(arguments) => fit::run(arguments, catalogue),
         Request::Plan(arguments) => plan::run(arguments, catalogue),
         Request::Score(arguments) => score::run(arguments, catalogue),
+        Request::Serve(arguments) => serve::run(arguments, catalogue),
         Request::Completions(shell) => args::completions(*shell, catalogue),
         Request::Man => args::man(catalogue),
         Request::Print(text) => output::to_stdout(|out| out.write_all(text.as_bytes()), catalogue),

@@ -2,13 +2,11 @@
 
 mod drawn;
 mod method;
-mod remark;
 mod stability;
 mod turning;
 
 pub use method::Method;
 pub(crate) use method::{Other, Source};
-pub(crate) use remark::Remark;
 pub(crate) use stability::TooLong;
 pub(crate) use turning::MOST_POINTS;
 

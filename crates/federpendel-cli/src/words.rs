@@ -1,14 +1,13 @@
 //! What is wrong, in the user's language: field, value, what is allowed.
 
 mod experiment;
-mod quantity;
 mod remark;
 mod samples;
 mod syntax;
 mod too_long;
 
 pub use experiment::experiment_error;
-pub use quantity::{allowed, flag_refusal, flag_value, flag_value_of, quantity_problem};
+pub use federpendel_quantity::words::{allowed, flag, flag_value, flag_value_of, quantity_problem};
 pub(crate) use remark::remark;
 pub(crate) use samples::samples_fault;
 pub(crate) use too_long::too_long_step;

@@ -144,9 +144,9 @@ fn unknown_words() {
         let Finished { status, err, .. } = Workplace::new().run(&[command]);
         assert_eq!(status, Some(2));
         assert!(
-            err.contains(
-                near.unwrap_or("simulate, compare, article, fit, plan, score, completions, man")
-            ),
+            err.contains(near.unwrap_or(
+                "simulate, compare, article, fit, plan, score, serve, completions, man"
+            )),
             "{err}"
         );
     }

@@ -18,8 +18,14 @@ fn words(arguments: &[&str]) -> String {
 #[test]
 fn the_first_screen_says_what_is_wrong_with_it() {
     for (method, says) in [
-        ("article-printed", "Equation (69) lets the amplitude fall at a rate that is wrong"),
-        ("article-corrected", "Equation (61) meets the exact motion only at its turning points"),
+        (
+            "article-printed",
+            "Equation (69) of the article lets the amplitude fall at a rate that is wrong",
+        ),
+        (
+            "article-corrected",
+            "Equation (61) of the article meets the exact motion only at its turning points",
+        ),
         ("article-scheme", "The scheme has no static friction"),
     ] {
         let text = words(&["--method", method]);
@@ -27,7 +33,7 @@ fn the_first_screen_says_what_is_wrong_with_it() {
     }
     let text = words(&["--method", "article-printed", "--velocity", "-0.3", "--lang", "de"]);
     assert!(
-        text.contains("Gleichung (79) verliert bei v0 < 0, wie hier, den Quadranten"),
+        text.contains("Gleichung (79) des Artikels verliert bei v0 < 0, wie hier, den Quadranten"),
         "{text}"
     );
     let stokes = words(&["--method", "article-printed", "--kinetic", "0", "--damping", "0.2"]);

@@ -101,9 +101,9 @@ pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> O
         findings.push(Finding { fault, size, share, significance, effect, grave });
     }
     findings.extend(residual(problem, &patterns));
-    findings.sort_by(|a, b| b.share.total_cmp(&a.share));
-    // The others say more.
-    findings.sort_by_key(|finding| finding.fault == Fault::Residual);
+    // The others say more than what is merely left.
+    let merely = |finding: &Finding| finding.fault == Fault::Residual;
+    findings.sort_by(|a, b| merely(a).cmp(&merely(b)).then(b.share.total_cmp(&a.share)));
     prefer_amplitude(&mut findings);
     let adequate = !findings.iter().any(|finding| finding.grave);
     Some(Adequacy { adequate, findings, residual: (patterns.cost / motion).sqrt() })

@@ -111,6 +111,46 @@ fn a_workbook_before_2007() {
     assert!(one(&bytes[..3000], &Choice::default()).is_err());
 }
 
+/// `examples/recordings/vernier.csv`, written into the first of three sheets by XlsxWriter 3.3 and by xlwt 1.3.
+#[test]
+fn a_recording_is_the_same_as_text_and_in_workbooks() {
+    let text = include_bytes!("../../../examples/recordings/vernier.csv");
+    let text = one(text, &Choice::default()).unwrap();
+    let books: [(&[u8], _); 2] = [
+        (include_bytes!("data/vernier.xlsx"), Container::Xlsx),
+        (include_bytes!("data/vernier.xls"), Container::Xls),
+    ];
+    for (bytes, container) in books {
+        let read = one(bytes, &Choice::default()).unwrap();
+        assert_eq!(read.recording, text.recording);
+        assert_eq!(
+            (&read.value, &read.clock, &read.notes),
+            (&text.value, &text.clock, &text.notes)
+        );
+        assert_eq!(read.dialect.container, container);
+        assert_eq!(read.dialect.table.as_deref(), Some("Raw Data"));
+        let other = one(bytes, &table("Metadata Time"));
+        assert!(matches!(other, Err(ReadError::TableNotFound { .. })), "{other:?}");
+    }
+}
+
+#[test]
+fn workbooks_that_are_too_large_are_refused() {
+    let mut book = Workbook::new();
+    book.add_worksheet().write(0, 5000, 1.0).unwrap();
+    let wide = one(&book.save_to_buffer().unwrap(), &Choice::default());
+    assert_eq!(wide, Err(ReadError::TooManyColumns { found: 5001, most: 4096 }));
+    // Two entries of the directory at the end of an archive: 24 bytes behind its mark stands the unpacked size.
+    let mut bytes = workbook();
+    let marks = bytes.windows(4).enumerate().filter(|(_, mark)| *mark == b"PK\x01\x02");
+    let marks: Vec<usize> = marks.map(|(at, _)| at + 24).take(2).collect();
+    for at in marks {
+        bytes[at..at + 4].copy_from_slice(&0xf000_0000_u32.to_le_bytes());
+    }
+    let large = one(&bytes, &Choice::default());
+    assert!(matches!(large, Err(ReadError::TooLarge { .. })), "{large:?}");
+}
+
 #[test]
 fn a_column_of_remarks_may_be_empty_or_nearly() {
     for remarks in [&[][..], &[1], &[3], &[1, 2, 3, 4, 5]] {

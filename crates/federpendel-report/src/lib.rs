@@ -7,6 +7,7 @@
 
 pub mod article;
 pub mod document;
+#[cfg(feature = "pages")]
 pub mod html;
 pub mod plain;
 pub mod plan;

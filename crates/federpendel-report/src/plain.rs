@@ -1,7 +1,7 @@
 //! Texts with formulas as plain text, for terminals and files: `$\omega_0$` as ω₀.
 
 /// What the commands of TeX in the catalogue look like, a longer one before one that it begins with.
-const SIGNS: [(&str, &str); 30] = [
+const SIGNS: [(&str, &str); 32] = [
     (r"\ddot x", "ẍ"),
     (r"\dot x", "ẋ"),
     (r"\tilde C", "C̃"),
@@ -11,7 +11,9 @@ const SIGNS: [(&str, &str); 30] = [
     (r"\lambda", "λ"),
     (r"\omega", "ω"),
     (r"\gamma", "γ"),
+    (r"\zeta", "ζ"),
     (r"\kappa", "κ"),
+    (r"\Delta ", "Δ"),
     (r"\Delta", "Δ"),
     (r"\infty", "∞"),
     (r"\times", "×"),
@@ -51,21 +53,37 @@ const LOWERED: [(char, char); 13] = [
     ('x', 'ₓ'),
 ];
 
+/// Stands for a dollar sign that is none of a formula; no text holds it.
+const DOLLAR: &str = "\u{0}";
+
 /// `text` with its formulas in signs.
 pub fn text(text: &str) -> String {
+    let text = text.replace(r"\$", DOLLAR);
     let pieces = text.split('$').enumerate();
-    pieces
+    let plain: String = pieces
         .map(|(place, piece)| if place % 2 == 0 { piece.to_owned() } else { formula(piece) })
-        .collect()
+        .collect();
+    plain.replace(DOLLAR, "$")
 }
 
-fn formula(tex: &str) -> String {
+/// A formula in signs.
+pub fn formula(tex: &str) -> String {
     let mut plain =
-        SIGNS.iter().fold(tex.to_owned(), |plain, (command, sign)| plain.replace(command, sign));
+        SIGNS.iter().fold(fractions(tex), |plain, (command, sign)| plain.replace(command, sign));
     for (sign, lowered) in LOWERED {
         plain = plain.replace(&format!("_{sign}"), &lowered.to_string());
     }
     plain.replace('-', "−").replace("^2", "²").replace(['{', '}'], "")
+}
+
+/// `\frac{a}{b}` as (a/b).
+fn fractions(tex: &str) -> String {
+    let mut pieces = tex.split(r"\frac{");
+    let before = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(before, |before, piece| {
+        let piece = piece.replacen("}{", "/", 1).replacen('}', ")", 1);
+        format!("{before}({piece}")
+    })
 }
 
 #[cfg(test)]
@@ -79,5 +97,13 @@ mod tests {
             "the offset f, |x₀| − v_A t and ω₀"
         );
         assert_eq!(text(r"$\ddot x = -\omega_0^2 x$"), "ẍ = −ω₀² x");
+        let law = r"$\Delta A = 2f + \frac{\pi\gamma}{\omega_0} A + \frac{4}{3} \kappa A^2$";
+        assert_eq!(text(law), "ΔA = 2f + (πγ/ω₀) A + (4/3) κ A²");
+    }
+
+    #[test]
+    fn a_dollar_in_the_name_of_a_file_is_no_formula() {
+        let name = crate::document::literal("5$-omega_0-7$.csv");
+        assert_eq!(text(&format!(r"{name}: $\omega_0$")), "5$-omega_0-7$.csv: ω₀");
     }
 }

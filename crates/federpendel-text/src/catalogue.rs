@@ -17,6 +17,7 @@ pub type Value<'a> = FluentValue<'a>;
 pub struct Catalogue {
     language: Language,
     bundle: FluentBundle<FluentResource>,
+    on_page: bool,
 }
 
 impl Catalogue {
@@ -34,7 +35,13 @@ impl Catalogue {
             let added = bundle.add_resource(resource);
             debug_assert!(added.is_ok(), "{added:?}");
         }
-        Self { language, bundle }
+        Self { language, bundle, on_page: false }
+    }
+
+    /// The catalogue of the page, which has fields where the command line has flags: of a sentence that speaks of them its
+    /// attribute `page` is said.
+    pub fn of_page(language: Language) -> Self {
+        Self { on_page: true, ..Self::new(language) }
     }
 
     /// The language of this catalogue.
@@ -75,7 +82,11 @@ impl Catalogue {
 
     fn find(&self, id: &str) -> Option<&Pattern<&str>> {
         match id.split_once('.') {
-            None => self.bundle.get_message(id)?.value(),
+            None => {
+                let message = self.bundle.get_message(id)?;
+                let own = message.get_attribute("page").filter(|_| self.on_page);
+                own.map(|own| own.value()).or(message.value())
+            }
             Some((id, name)) => Some(self.bundle.get_message(id)?.get_attribute(name)?.value()),
         }
     }
@@ -87,29 +98,35 @@ impl std::fmt::Debug for Catalogue {
     }
 }
 
-/// The embedded files of a language.
+/// These embedded files of a language.
 macro_rules! locale {
-    ($folder:literal) => {
-        [
-            include_str!(concat!("../locales/", $folder, "/program.ftl")),
-            include_str!(concat!("../locales/", $folder, "/report.ftl")),
-            include_str!(concat!("../locales/", $folder, "/article.ftl")),
-            include_str!(concat!("../locales/", $folder, "/check.ftl")),
-            include_str!(concat!("../locales/", $folder, "/sketch.ftl")),
-            include_str!(concat!("../locales/", $folder, "/fit.ftl")),
-            include_str!(concat!("../locales/", $folder, "/physical.ftl")),
-            include_str!(concat!("../locales/", $folder, "/plan.ftl")),
-            include_str!(concat!("../locales/", $folder, "/measured.ftl")),
-            include_str!(concat!("../locales/", $folder, "/asked.ftl")),
-        ]
+    ($folder:literal, $($file:literal),+) => {
+        &[$(include_str!(concat!("../locales/", $folder, "/", $file, ".ftl"))),+]
     };
 }
 
-fn sources(language: Language) -> [&'static str; 10] {
-    match language {
-        Language::English => locale!("en"),
-        Language::German => locale!("de"),
-    }
+/// The files of a language that everybody needs, and those that only programs do.
+macro_rules! locales {
+    ($folder:literal) => {
+        (
+            locale!($folder, "program", "fit", "page", "physical", "measured"),
+            #[cfg(feature = "programs")]
+            locale!(
+                $folder, "article", "check", "sketch", "plan", "command", "report", "asked",
+                "pictures"
+            ),
+            #[cfg(not(feature = "programs"))]
+            &[],
+        )
+    };
+}
+
+fn sources(language: Language) -> impl Iterator<Item = &'static str> {
+    let (all, more): (&[&str], &[&str]) = match language {
+        Language::English => locales!("en"),
+        Language::German => locales!("de"),
+    };
+    all.iter().chain(more).copied()
 }
 
 /// Numbers that reach a sentence as numbers, with a decimal comma.

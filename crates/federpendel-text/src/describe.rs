@@ -109,6 +109,7 @@ impl Catalogue {
                 self.format("outcome-creeps", &[("distance", length(limit))])
             }
             Outcome::Swings => self.text("outcome-swings"),
+            Outcome::Decays => self.text("outcome-decays"),
             Outcome::Unknown { after, swings } => {
                 self.format("outcome-unknown", &[("time", time(after)), ("swings", swings.into())])
             }

@@ -17,13 +17,16 @@
 //! source asks for and a language lacks, and on one that no source asks for.
 
 mod catalogue;
+mod derived;
 mod describe;
 mod error;
 mod excerpt;
 mod language;
+mod lens;
 mod measured;
 mod number;
 pub mod plot;
+pub mod table;
 
 pub use catalogue::{Catalogue, Value};
 pub use describe::ParameterText;

@@ -136,10 +136,11 @@ fn every_parameter_has_a_name_and_a_description() {
     }
 }
 
-/// Every Rust source of the workspace except this test.
+/// Every Rust source of the workspace except this test, and those of the page.
 fn sources() -> Vec<String> {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the folder of all crates");
-    let mut folders: Vec<PathBuf> = vec![crates.to_owned()];
+    let page = crates.with_file_name("web").join("src");
+    let mut folders: Vec<PathBuf> = vec![crates.to_owned(), page];
     let mut sources = Vec::new();
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry")) {
@@ -148,7 +149,7 @@ fn sources() -> Vec<String> {
                 if path.file_name().is_none_or(|name| name != "target") {
                     folders.push(path);
                 }
-            } else if path.extension().is_some_and(|end| end == "rs")
+            } else if path.extension().is_some_and(|end| end == "rs" || end == "ts")
                 && !path.ends_with("federpendel-text/tests/catalogue.rs")
             {
                 sources.push(fs::read_to_string(path).expect("a source"));
@@ -180,8 +181,10 @@ fn every_id_that_the_sources_ask_for_exists() {
 fn every_id_is_asked_for_somewhere() {
     let sources = sources();
     for id in texts(Language::English).keys() {
+        // What the page says instead is asked for by the same name.
+        let id = id.strip_suffix(".page").unwrap_or(id);
         // An id may be put together from a prefix and a name: format!("parameter-{name}").
-        let prefix = id.split_once('-').map_or(id.as_str(), |(prefix, _)| prefix);
+        let prefix = id.split_once('-').map_or(id, |(prefix, _)| prefix);
         let literal = format!("\"{id}\"");
         let built = format!("\"{prefix}-{{");
         let used =

@@ -1,9 +1,5 @@
 //! The energy ledger: where the energy of the release is, and what each law turned into heat.
 
-use std::num::NonZeroUsize;
-
-use gauss_quad::GaussLegendre;
-
 use crate::chain::cursor::Cursor;
 use crate::chain::linear::LinearChain;
 use crate::double::Double;
@@ -11,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::motion::Motion;
 use crate::oscillator::State;
 use crate::parameter;
+use crate::quadrature::Quadrature;
 
 /// Heat made by each law since the release, J. Each from its own work integral.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -66,7 +63,7 @@ impl Motion {
 struct Account<'m> {
     motion: &'m Motion,
     cursor: Cursor<'m>,
-    rule: GaussLegendre,
+    rule: Quadrature,
     /// Time up to which the work is known, s, and the same within the swing, ω0 t.
     time: f64,
     tau: f64,
@@ -90,7 +87,7 @@ impl<'m> Account<'m> {
         let (zeta, drag) =
             (oscillator.damping_ratio(), oscillator.newton_rate() * motion.amplitude());
         let light = zeta < LIGHT && drag < LIGHT_DRAG;
-        let rule = GaussLegendre::new(if light { NODES } else { NODES_MANY });
+        let rule = if light { NODES } else { NODES_MANY };
         Account {
             motion,
             cursor: motion.cursor(true),
@@ -180,7 +177,7 @@ impl<'m> Account<'m> {
                 let (y0, propagator) = (f64::from(y0), *chain.propagator());
                 for (from, to) in panels(self.tau, tau, propagator.zeta()) {
                     let velocity = |tau| propagator.state(tau, y0, w0).1;
-                    self.work.add(&self.rule, from, to, velocity);
+                    self.work.add(self.rule, from, to, velocity);
                 }
             }
             None => {
@@ -190,7 +187,7 @@ impl<'m> Account<'m> {
                     let from = piece.start.max(self.tau);
                     if from < end {
                         let velocity = |tau| piece.velocity_at(tau);
-                        self.work.add(&self.rule, from, end, velocity);
+                        self.work.add(self.rule, from, end, velocity);
                     }
                 }
             }
@@ -200,10 +197,10 @@ impl<'m> Account<'m> {
 
 impl Work {
     /// Adds the integrals over a panel on which the quadrature is exact to rounding.
-    fn add(&mut self, rule: &GaussLegendre, from: f64, to: f64, velocity: impl Fn(f64) -> f64) {
+    fn add(&mut self, rule: Quadrature, from: f64, to: f64, velocity: impl Fn(f64) -> f64) {
         let half = 0.5 * (to - from);
         let (mut squares, mut cubes) = (0.0, 0.0);
-        for (node, weight) in rule.iter() {
+        for (node, weight) in rule.nodes() {
             let w = velocity(from + half * (1.0 + node));
             let square = weight * w * w;
             squares += square;
@@ -220,10 +217,10 @@ const LIGHT: f64 = 0.5;
 const LIGHT_DRAG: f64 = 10.0;
 /// Nodes for stretches of a wave not longer than π/2, and of half the radius of a Taylor series: with light
 /// drag the cube of the velocity beyond degree 23 is below rounding there.
-const NODES: NonZeroUsize = NonZeroUsize::new(12).unwrap();
+const NODES: Quadrature = Quadrature::FEW;
 /// Nodes where exponentials die away within a panel, for the high polynomials of collocation, and where strong
 /// drag takes most of the velocity within one piece of a series.
-const NODES_MANY: NonZeroUsize = NonZeroUsize::new(24).unwrap();
+const NODES_MANY: Quadrature = Quadrature::MANY;
 
 /// Cuts a stretch of a linear swing into panels on which the quadrature is exact to rounding. With
 /// damping they grow with the time since the swing began: what is fast has died away by then.

@@ -160,6 +160,17 @@ impl Motion {
         Ok(Self { oscillator, release, sticking, amplitude, chain, outcome: OnceLock::new() })
     }
 
+    /// With Newton friction follows at most so many swings instead of 1e7, for those who cannot wait: each takes some
+    /// microseconds. Without it the motion has formulas for any number of swings, and nothing changes.
+    #[must_use]
+    pub fn with_most_swings(mut self, most: u64) -> Self {
+        if let Chain::Series(chain) = &mut self.chain {
+            chain.most_swings = most;
+            self.outcome = OnceLock::new();
+        }
+        self
+    }
+
     /// The oscillator.
     pub fn oscillator(&self) -> &Oscillator {
         &self.oscillator
@@ -197,6 +208,13 @@ impl Motion {
         })
     }
 
+    /// What rounding of a `time` (s) that was itself computed, such as the end of a record, makes of the phase, as a
+    /// length, m: no position is that wrong, but a velocity that should be zero then is, and a formula knows its phase no
+    /// better.
+    pub fn phase_error(&self, time: f64) -> f64 {
+        TIME_ERROR * self.oscillator.angular_frequency() * time * self.amplitude
+    }
+
     pub(crate) fn chain(&self) -> &Chain {
         &self.chain
     }
@@ -216,7 +234,7 @@ impl Motion {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a negative time, NaN or infinity; [`Error::TooManySwings`] beyond 1e7
-    /// swings with Newton friction, or 2⁵³ without.
+    /// swings with Newton friction (see [`Motion::with_most_swings`]), or 2⁵³ without.
     pub fn at(&self, time: f64) -> Result<Sample> {
         Ok(self.sample_on(&self.cursor_at(time)?, time))
     }
@@ -318,6 +336,9 @@ impl Motion {
         })
     }
 }
+
+/// Relative error of a time that was itself computed.
+const TIME_ERROR: f64 = 16.0 * f64::EPSILON;
 
 /// Bound on the error of a closed-form position, relative to the amplitude.
 const CLOSED_FORM_ERROR: f64 = 8.0 * f64::EPSILON;

@@ -1,9 +1,9 @@
 //! How a motion ends: at rest, creeping, swinging for ever.
 
 use crate::chain::linear::{self, Last, LinearChain};
-use crate::chain::series::MOST_SWINGS;
 use crate::chain::{Chain, Start};
 use crate::motion::Motion;
+use crate::oscillator::Regime;
 
 /// Where and when the mass comes to rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +33,10 @@ pub enum Outcome {
         /// The place, m.
         limit: f64,
     },
-    /// The mass swings for ever, with falling or constant amplitude.
+    /// The mass swings for ever with one amplitude: nothing slows it.
     Swings,
+    /// The mass swings for ever with falling amplitude.
+    Decays,
     /// Nothing is known after the time at which the search for a rest was given up.
     Unknown {
         /// Time of the last turning point followed, s.
@@ -45,7 +47,8 @@ pub enum Outcome {
 }
 
 impl Motion {
-    /// How the motion ends. With Newton friction this follows up to 1e7 swings, once.
+    /// How the motion ends. With Newton friction this follows up to 1e7 swings, or as many as
+    /// [`Motion::with_most_swings`] says, once.
     pub fn outcome(&self) -> Outcome {
         *self.outcome.get_or_init(|| self.find_outcome())
     }
@@ -62,9 +65,9 @@ impl Motion {
             }
             let endless = matches!(self.chain(), Chain::Series(chain) if chain.swings_on());
             if endless && !sticks {
-                return Outcome::Swings;
+                return Outcome::Decays;
             }
-            if cursor.start().index >= MOST_SWINGS || !cursor.advance() {
+            if cursor.is_given_up() || !cursor.advance() {
                 return self.unknown(cursor.start());
             }
         }
@@ -75,7 +78,10 @@ impl Motion {
             Last::At(index) => Outcome::Rests(self.rest(&chain.start(index))),
             Last::Beyond => self.unknown(&chain.start(linear::MOST_SWINGS)),
             // As the label says: what is critical up to rounding creeps.
-            Last::Never if self.oscillator().period().is_some() => Outcome::Swings,
+            Last::Never if self.oscillator().period().is_some() => {
+                let undamped = self.oscillator().regime() == Regime::Undamped;
+                if undamped { Outcome::Swings } else { Outcome::Decays }
+            }
             Last::Never if chain.propagator().frequency().is_some() => {
                 Outcome::Creeps { limit: 0.0 }
             }

@@ -51,3 +51,19 @@ fn drag_with_damping_ends_in_the_closed_form() {
         assert_eq!(motion(friction).at(time).unwrap().position, 0.0, "{time}");
     }
 }
+
+#[test]
+fn who_cannot_wait_has_fewer_swings_followed() {
+    let drag = |friction| motion(friction).with_most_swings(100);
+    let motion = drag(federpendel::Friction {
+        newton: Some(Newton::new(1e-9).unwrap()),
+        ..federpendel::Friction::NONE
+    });
+    assert!(motion.at(49.0).is_ok());
+    let Error::TooManySwings { swings: 100, reached, .. } = motion.at(1e6).unwrap_err() else {
+        panic!("it is followed");
+    };
+    // The first of them is a partial one.
+    let half = motion.oscillator().period().unwrap() / 2.0;
+    assert!(reached > 99.0 * half && reached < 100.0 * half, "{reached}");
+}

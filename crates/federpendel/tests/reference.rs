@@ -175,7 +175,7 @@ fn wrong_end(mix: &str, problem: &Problem, motion: &Motion) -> Option<String> {
         (None, Some(limit), Outcome::Creeps { limit: found }) => {
             ((found - number(limit)).abs() > 1e-15 * amplitude).then(|| format!("limit {found}"))
         }
-        (None, None, Outcome::Swings | Outcome::Unknown { .. }) => None,
+        (None, None, Outcome::Swings | Outcome::Decays | Outcome::Unknown { .. }) => None,
         (_, _, outcome) => Some(format!("{outcome:?}")),
     }
 }

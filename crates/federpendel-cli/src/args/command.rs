@@ -3,15 +3,16 @@
 mod article;
 mod beside;
 mod fit;
+mod generate;
 mod plan;
 mod score;
+mod serve;
 
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Arg, ArgAction, Command, value_parser};
-use clap_complete::Shell;
 use federpendel::parameter::{self, ParameterInfo};
 use federpendel_text::{Catalogue, Language};
 
@@ -54,8 +55,9 @@ pub(super) fn command(catalogue: &Catalogue) -> Command {
         .subcommand(fit::fit(catalogue))
         .subcommand(plan::plan(catalogue))
         .subcommand(score::score(catalogue))
-        .subcommand(completions(catalogue))
-        .subcommand(manual(catalogue))
+        .subcommand(serve::serve(catalogue))
+        .subcommand(generate::completions(catalogue))
+        .subcommand(generate::manual(catalogue))
         .styles(STYLES)
         .term_width(help_width())
         .help_template(template(catalogue))
@@ -108,31 +110,6 @@ fn language(catalogue: &Catalogue) -> Arg {
         .hide_possible_values(true)
         .help_heading(catalogue.text("cli-heading-options"))
         .help(catalogue.text("cli-lang"))
-}
-
-fn completions(catalogue: &Catalogue) -> Command {
-    let command = Command::new("completions")
-        .about(catalogue.text("cli-completions"))
-        .override_usage(usage("completions", "SHELL".to_owned(), catalogue))
-        .after_help(catalogue.text("cli-completions-examples"))
-        .arg(
-            Arg::new("shell")
-                .value_name("SHELL")
-                .required(true)
-                .value_parser(value_parser!(Shell))
-                .hide_possible_values(true)
-                .help_heading(catalogue.text("cli-heading-arguments"))
-                .help(catalogue.text("cli-shell")),
-        );
-    common(command, catalogue)
-}
-
-fn manual(catalogue: &Catalogue) -> Command {
-    let command = Command::new("man")
-        .about(catalogue.text("cli-man"))
-        .override_usage(usage("man", String::new(), catalogue))
-        .after_help(catalogue.text("cli-man-examples"));
-    common(command, catalogue)
 }
 
 fn simulate(catalogue: &Catalogue) -> Command {

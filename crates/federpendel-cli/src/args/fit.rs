@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 use federpendel_fit::{Intervals, Loss, Quantity};
 
-use super::{Beside, FitPicture, Results, results, text};
+use super::beside::beside;
+use super::{FitPicture, Results, results, text};
 use crate::fit::{INTERVALS, LOSSES};
+use crate::quantity::inputs::Beside;
 
 /// What a recording can hold, by the names on the command line.
 pub(crate) const QUANTITIES: [(&str, Quantity); 3] = [
@@ -71,7 +73,7 @@ impl Fit {
             sigma: text(matches, "sigma"),
             intervals: named(matches, "intervals", &INTERVALS).unwrap_or_default(),
             loss: named(matches, "loss", &LOSSES).unwrap_or_default(),
-            beside: Beside::new(matches),
+            beside: beside(matches),
             picture: text(matches, "plot")
                 .and_then(|name| FitPicture::named(&name))
                 .unwrap_or_default(),

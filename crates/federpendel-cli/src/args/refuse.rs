@@ -10,8 +10,8 @@ use federpendel_text::Catalogue;
 use crate::words::nearest;
 
 /// The commands, as they are listed.
-const COMMANDS: [&str; 8] =
-    ["simulate", "compare", "article", "fit", "plan", "score", "completions", "man"];
+const COMMANDS: [&str; 9] =
+    ["simulate", "compare", "article", "fit", "plan", "score", "serve", "completions", "man"];
 
 /// Commands that take one file, each with the sentence that refuses a second one.
 const SECOND_FILE: [(&str, &str); 5] = [

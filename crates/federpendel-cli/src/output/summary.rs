@@ -9,7 +9,7 @@ mod wrap;
 use std::io::{self, Write};
 
 use federpendel::parameter::{self, ParameterInfo};
-use federpendel::{Mix, Oscillator, Outcome, Regime, Rest, State};
+use federpendel::{Mix, Outcome, Regime, Rest, State};
 use federpendel_text::plot::Plot;
 
 use super::Style;
@@ -123,7 +123,7 @@ fn short_table<'a>(record: &Record, style: Style<'a>) -> io::Result<Table<'a>> {
         let value = catalogue.format(
             "summary-damping-value",
             &[
-                ("ratio", damping_ratio(oscillator, style, DIGITS).into()),
+                ("ratio", catalogue.damping_ratio(oscillator, DIGITS).into()),
                 ("regime", catalogue.regime(oscillator.regime()).into()),
             ],
         );
@@ -162,16 +162,6 @@ fn given(record: &Record, style: Style<'_>) -> String {
         format!("{} = {value}", info.symbol)
     });
     written.collect::<Vec<_>>().join(", ")
-}
-
-/// The damping ratio with so many digits that it does not read 1 beside “underdamped”.
-fn damping_ratio(oscillator: &Oscillator, style: Style<'_>, digits: usize) -> String {
-    let ratio = oscillator.damping_ratio();
-    let written = |digits| style.catalogue.number(ratio, digits);
-    let one = style.catalogue.number(1.0, digits);
-    let near = [Regime::Underdamped, Regime::Overdamped].contains(&oscillator.regime());
-    let clear = (digits..17).find(|digits| !near || written(*digits) != one);
-    written(clear.unwrap_or(17))
 }
 
 /// The energy that is left: of the motion, and where another method is asked for its own beside it.

@@ -1,6 +1,7 @@
 //! By which method samples are computed.
 
 use federpendel::article::Formula;
+use federpendel::lens::Candidate;
 use federpendel::scheme::article::Scheme;
 use federpendel::{Motion, Sample};
 
@@ -37,6 +38,11 @@ impl Method {
             Method::ArticleCorrected => "article-corrected",
             Method::ArticleScheme => "article-scheme",
         }
+    }
+
+    /// The same among those that can be held beside the exact motion; none for that itself.
+    pub(crate) fn candidate(self) -> Option<Candidate> {
+        Candidate::named(self.name())
     }
 
     /// The method of this name.

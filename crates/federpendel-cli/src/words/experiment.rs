@@ -3,8 +3,8 @@
 use federpendel::parameter::Range;
 use federpendel_text::Catalogue;
 
-use super::quantity::{allowed, quantity_problem};
 use super::syntax::not_toml;
+use super::{allowed, quantity_problem};
 use crate::experiment::{Allowed, Error, Field, Given, LARGEST_FILE, Origin};
 use crate::quantity::Dimension;
 

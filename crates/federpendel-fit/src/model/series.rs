@@ -58,9 +58,20 @@ impl<const D: usize> State<D> {
 }
 
 /// The recurrence, order after order, with every loop inside it of a length known to the compiler.
+#[cfg(not(target_family = "wasm"))]
 macro_rules! orders {
     ($series:ident, $simd:ident, $law:ident: $($n:literal)*) => {
-        $($series.order::<$simd, $n>($law);)*
+        $($series.order::<$simd>($law, $n);)*
+    };
+}
+
+/// The same in a twentieth of the code, for browsers to load.
+#[cfg(target_family = "wasm")]
+macro_rules! orders {
+    ($series:ident, $simd:ident, $law:ident: $($n:literal)*) => {
+        for n in [$($n),*] {
+            $series.order::<$simd>($law, n);
+        }
     };
 }
 
@@ -109,32 +120,32 @@ impl<const D: usize> Series<D> {
         series
     }
 
-    /// Goes on from order `N` to the next.
+    /// Goes on from order `n` to the next.
     #[inline(always)]
-    fn order<S: Simd, const N: usize>(&mut self, law: Law) {
-        let share = const { 1.0 / (N + 1) as f64 };
+    fn order<S: Simd>(&mut self, law: Law, n: usize) {
+        let share = 1.0 / (n + 1) as f64;
         // Half the sum but the square in the middle, which has no partner.
-        let mut half = if N.is_multiple_of(2) { 0.5 * self.w[N / 2] * self.w[N / 2] } else { 0.0 };
-        for j in (0..N.div_ceil(2)).rev() {
-            half = mul_add::<S>(self.w[j], self.w[N - j], half);
+        let mut half = if n.is_multiple_of(2) { 0.5 * self.w[n / 2] * self.w[n / 2] } else { 0.0 };
+        for j in (0..n.div_ceil(2)).rev() {
+            half = mul_add::<S>(self.w[j], self.w[n - j], half);
         }
         let square = 2.0 * half;
-        let damped = mul_add::<S>(law.damping, self.w[N], self.y[N]);
-        self.y[N + 1] = share * self.w[N];
-        self.w[N + 1] = share * mul_add::<S>(law.kappa, square, -damped);
+        let damped = mul_add::<S>(law.damping, self.w[n], self.y[n]);
+        self.y[n + 1] = share * self.w[n];
+        self.w[n + 1] = share * mul_add::<S>(law.kappa, square, -damped);
         let mut cross = [0.0; D];
         // Multiplied by κ: without it there is no need of them.
         if D > 0 && law.kappa > 0.0 {
-            for j in (0..=N).rev() {
-                cross = muls_add::<S, D>(self.w[j], &self.dw[N - j], cross);
+            for j in (0..=n).rev() {
+                cross = muls_add::<S, D>(self.w[j], &self.dw[n - j], cross);
             }
         }
         for d in 0..D {
-            let force = FORCE[d] * self.w[N] + FORCE_SQUARED[d] * square;
-            let damped = mul_add::<S>(law.damping, self.dw[N][d], self.dy[N][d]);
+            let force = FORCE[d] * self.w[n] + FORCE_SQUARED[d] * square;
+            let damped = mul_add::<S>(law.damping, self.dw[n][d], self.dy[n][d]);
             let slope = mul_add::<S>(2.0 * law.kappa, cross[d], force - damped);
-            self.dy[N + 1][d] = share * self.dw[N][d];
-            self.dw[N + 1][d] = share * slope;
+            self.dy[n + 1][d] = share * self.dw[n][d];
+            self.dw[n + 1][d] = share * slope;
         }
     }
 

@@ -24,7 +24,7 @@ pub(super) fn walk<const D: usize, const K: usize>(
     let reduced = Reduced::new(parameters, stop);
     let start = Start::release(parameters);
     let course = Course::default();
-    pulp::Arch::new().dispatch(Walk::<D, K> {
+    arch().dispatch(Walk::<D, K> {
         reduced,
         quantity,
         start,
@@ -33,6 +33,14 @@ pub(super) fn walk<const D: usize, const K: usize>(
         duration: std::f64::consts::PI,
         steps: 0,
     })
+}
+
+/// The vector instructions of this machine, as in the core; in a browser plain numbers.
+fn arch() -> pulp::Arch {
+    #[cfg(target_family = "wasm")]
+    return pulp::Arch::Scalar;
+    #[cfg(not(target_family = "wasm"))]
+    pulp::Arch::new()
 }
 
 struct Walk<'a, const D: usize, const K: usize> {

@@ -77,6 +77,9 @@ pub enum ReadError {
         /// The largest that is read.
         most: u64,
     },
+    /// A workbook that a password locks.
+    #[error("locked with a password")]
+    Password,
     /// The system does not read the file.
     #[error("{}", .0.0)]
     System(SystemError),

@@ -14,7 +14,6 @@ mod blocks;
 mod clean;
 mod column;
 mod comma;
-mod compound;
 mod encoding;
 mod error;
 mod header;
@@ -32,6 +31,7 @@ mod system;
 mod text;
 mod times;
 mod unit;
+mod workbook;
 
 pub use error::{Field, Found, ReadError};
 pub use line::Separator;
@@ -49,7 +49,8 @@ use times::Times;
 
 /// Most bytes that a table of an archive or a workbook unpacks to: a small file may unpack to more than any disk holds. A
 /// text that is not packed may be as large as its disk allows.
-pub const LARGEST_UNPACKED: u64 = 1 << 32;
+/// Fewer where the memory has no more addresses.
+pub const LARGEST_UNPACKED: u64 = if usize::BITS > 32 { 1 << 32 } else { 1 << 28 };
 
 /// Most columns of a table.
 pub const MOST_COLUMNS: usize = 4096;

@@ -2,31 +2,25 @@
 //! one reader serves both.
 
 use std::fmt::Write;
-use std::io::{Cursor, Read};
-
-use calamine::{DataType, ExcelDateTime, Reader, Xls, XlsError, Xlsx, XlsxError};
 
 use super::error::ReadError;
 use super::layout::START;
 use super::source::{self, Container, Source};
-use super::text::{File, Text};
-use super::{Choice, LARGEST_UNPACKED, MOST_COLUMNS, compound, line};
+use super::text::Text;
+use super::workbook::{Book, Value};
+use super::{Choice, LARGEST_UNPACKED, MOST_COLUMNS, line};
 
 /// Opens a workbook.
 pub(super) fn open<'a>(
-    file: &mut dyn File,
+    book: &mut dyn Book,
     container: Container,
     choice: &Choice,
 ) -> Result<Source<'a>, ReadError> {
-    let bytes = &whole(file)?;
-    // On some damaged workbooks the library panics.
-    let opened = std::panic::catch_unwind(|| match container {
-        Container::Xls => xls(bytes, choice),
-        _ => xlsx(bytes, choice),
-    });
-    let (table, text) = opened.unwrap_or_else(|_| {
-        Err(ReadError::Damaged { reason: "the reader of workbooks stopped".to_owned() })
+    let table = chosen(book.sheets(), choice, |sheet| {
+        let start = text(book, sheet, START);
+        start.is_ok_and(|start| source::holds_recording(Text::utf8(start), container, choice))
     })?;
+    let text = text(book, &table, usize::MAX)?;
     if text.trim_ascii().is_empty() {
         return Err(ReadError::Empty);
     }
@@ -34,61 +28,14 @@ pub(super) fn open<'a>(
     Ok(Source { text: Text::utf8(text), container, table })
 }
 
-/// All of a workbook, which its library holds anyway.
-fn whole(file: &mut dyn File) -> Result<Vec<u8>, ReadError> {
-    let (mut bytes, most) = (Vec::new(), LARGEST_UNPACKED);
-    file.rewind()?;
-    match file.take(most + 1).read_to_end(&mut bytes)? as u64 {
-        found if found > most => Err(ReadError::TooLarge { bytes: found, most }),
-        _ => Ok(bytes),
-    }
-}
-
-fn xlsx(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
-    let damaged = |error: XlsxError| ReadError::Damaged { reason: error.to_string() };
-    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
-    let sheets = book.sheet_names();
-    let mut text = |sheet: &str, most: usize| {
-        let mut cells = book.worksheet_cells_reader(sheet).map_err(damaged)?;
-        let mut grid = Grid::default();
-        while grid.text.len() < most
-            && let Some(cell) = cells.next_cell().map_err(damaged)?
-        {
-            let (row, column) = cell.get_position();
-            grid.write(row, column, cell.get_value())?;
-        }
-        Ok(grid.text.into_bytes())
-    };
-    let holds = |sheet: &str| {
-        let start: Result<Vec<u8>, ReadError> = text(sheet, START);
-        start.is_ok_and(|start| source::holds_recording(Text::utf8(start), Container::Xlsx, choice))
-    };
-    let table = chosen(sheets, choice, holds)?;
-    let text = text(&table, usize::MAX)?;
-    Ok((table, text))
-}
-
-fn xls(bytes: &[u8], choice: &Choice) -> Result<(String, Vec<u8>), ReadError> {
-    let damaged = |error: XlsError| ReadError::Damaged { reason: error.to_string() };
-    compound::check(bytes)?;
-    let mut book: Xls<_> = Xls::new(Cursor::new(bytes)).map_err(damaged)?;
-    let sheets = book.sheet_names();
-    let mut text = |sheet: &str| {
-        let range = book.worksheet_range(sheet).map_err(damaged)?;
-        let (top, left) = range.start().unwrap_or_default();
-        let mut grid = Grid::default();
-        for (row, column, value) in range.used_cells() {
-            grid.write(top + row as u32, left + column as u32, value)?;
-        }
-        Ok(grid.text.into_bytes())
-    };
-    let holds = |sheet: &str| {
-        let whole: Result<Vec<u8>, ReadError> = text(sheet);
-        whole.is_ok_and(|text| source::holds_recording(Text::utf8(text), Container::Xls, choice))
-    };
-    let table = chosen(sheets, choice, holds)?;
-    let text = text(&table)?;
-    Ok((table, text))
+/// The text of a sheet, at least so many bytes if it has them.
+fn text(book: &mut dyn Book, sheet: &str, least: usize) -> Result<Vec<u8>, ReadError> {
+    let mut grid = Grid::default();
+    book.cells(sheet, &mut |row, column, value| {
+        grid.write(row, column, value)?;
+        Ok(grid.text.len() < least)
+    })?;
+    Ok(grid.text.into_bytes())
 }
 
 /// Sheets on the device and the time of recording, which phyphox adds, are no tables.
@@ -112,14 +59,11 @@ struct Grid {
 }
 
 impl Grid {
-    fn write(&mut self, row: u32, column: u32, value: &impl DataType) -> Result<(), ReadError> {
+    fn write(&mut self, row: u32, column: u32, value: Value) -> Result<(), ReadError> {
         if (row, column) < (self.row, self.column) {
             return Err(ReadError::Damaged {
                 reason: format!("cell {row}, {column} out of order"),
             });
-        }
-        if value.is_empty() {
-            return Ok(());
         }
         if column as usize >= MOST_COLUMNS {
             let found = column as usize + 1;
@@ -142,20 +86,17 @@ impl Grid {
         Ok(())
     }
 
-    fn put(&mut self, value: &impl DataType) {
-        if let Some(time) = value.get_datetime() {
-            self.time(&time);
-        } else if let Some(number) = value.get_int() {
-            self.format(format_args!("{number}"));
-        } else if let Some(number) = value.get_float() {
-            self.format(format_args!("{number:e}"));
-        } else if value.is_error() {
-            self.text.push_str("#N/A");
-        } else if let Some(yes) = value.get_bool() {
-            self.format(format_args!("{yes}"));
-        } else {
-            let text = value.get_string().or(value.get_datetime_iso());
-            self.words(text.or(value.get_duration_iso()).unwrap_or_default());
+    fn put(&mut self, value: Value) {
+        match value {
+            Value::Time { days, duration } => self.time(days, duration),
+            // Counted things as they are counted: a column may be called 1.
+            Value::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
+                self.format(format_args!("{number}"));
+            }
+            Value::Number(number) => self.format(format_args!("{number:e}")),
+            Value::Error => self.text.push_str("#N/A"),
+            Value::Truth(yes) => self.format(format_args!("{yes}")),
+            Value::Text(text) => self.words(text),
         }
     }
 
@@ -166,9 +107,8 @@ impl Grid {
 
     /// A time of day, with a date or without, or a duration as a clock shows it; a date alone is no number of anything
     /// and is refused as it looks.
-    fn time(&mut self, time: &ExcelDateTime) {
-        let days = time.as_f64();
-        let shown = if time.is_duration() { days } else { days.fract() };
+    fn time(&mut self, days: f64, duration: bool) {
+        let shown = if duration { days } else { days.fract() };
         if days < 0.0 || days >= 1.0 && shown == 0.0 {
             return self.format(format_args!("[{days} d]"));
         }

@@ -5,7 +5,8 @@ use std::io::Read;
 use super::error::ReadError;
 use super::layout::Layout;
 use super::text::{File, Raw, Text};
-use super::{Choice, archive, column, sheet, size};
+use super::workbook::Xls;
+use super::{Choice, LARGEST_UNPACKED, archive, column, sheet, size};
 
 /// Bytes that tell an archive or a workbook.
 const LONGEST_MAGIC: u64 = 8;
@@ -51,7 +52,7 @@ pub(super) fn open<'a>(file: &'a mut dyn File, choice: &Choice) -> Result<Source
         return archive::open(file, choice);
     }
     if bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
-        return sheet::open(file, Container::Xls, choice);
+        return sheet::open(&mut Xls::open(&whole(file)?)?, Container::Xls, choice);
     }
     if let Some(asked) = &choice.table {
         let asked = Some(asked.clone());
@@ -59,6 +60,16 @@ pub(super) fn open<'a>(file: &'a mut dyn File, choice: &Choice) -> Result<Source
     }
     let text = Text::new(Raw::File(Box::new(file)))?;
     Ok(Source { text, container: Container::Text, table: None })
+}
+
+/// All of a workbook that is no archive: its parts lie scattered.
+fn whole(file: &mut dyn File) -> Result<Vec<u8>, ReadError> {
+    let (mut bytes, most) = (Vec::new(), LARGEST_UNPACKED);
+    file.rewind()?;
+    match file.take(most + 1).read_to_end(&mut bytes)? as u64 {
+        found if found > most => Err(ReadError::TooLarge { bytes: found, most }),
+        _ => Ok(bytes),
+    }
 }
 
 /// Chooses one of several tables: by its name, without its folder or extension if need be; else one of raw data, as

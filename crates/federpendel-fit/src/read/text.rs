@@ -55,7 +55,7 @@ impl Raw<'_> {
     fn length(&mut self) -> Result<u64, ReadError> {
         match self {
             Raw::File(file) => Ok(file.seek(SeekFrom::End(0))?),
-            Raw::Entry(entry) => entry.length(),
+            Raw::Entry(entry) => Ok(entry.length()),
         }
     }
 }

@@ -1,9 +1,12 @@
 //! A recording with its fit.
 
 use federpendel_fit::read::Read;
-use federpendel_fit::{FitReport, Given, Physical, Quantity, physical};
+use federpendel_fit::{Edge, FitReport, Given, Physical, Quantity, physical};
 use federpendel_text::Catalogue;
 use federpendel_text::plot::{Plot, RecordingData};
+
+/// Swings that gain more than this share of their amplitude grow.
+const GROWTH: f64 = 0.05;
 
 /// A recording and its fit.
 #[derive(Debug, Clone)]
@@ -38,6 +41,16 @@ impl Fitted {
             self.physical = physical(&self.report, given, self.read.value.is_angle());
         }
         self
+    }
+
+    /// Whether the swings of the fitted part grow: most of them gain amplitude, and all together more than noise would make
+    /// of it. Where it is too short for one, those before it tell.
+    pub fn grows(&self) -> bool {
+        let (swings, _) = self.report.swings(&self.read.recording, usize::MAX);
+        let Some(first) = swings.first() else { return self.report.window.begins == Edge::Driven };
+        let gaining = swings.iter().filter(|swing| swing.loss < 0.0).count();
+        let gained: f64 = swings.iter().map(|swing| -swing.loss).sum();
+        3 * gaining > 2 * swings.len() && gained > GROWTH * first.amplitude
     }
 
     /// The recorded values with the fit over them, and what the fit leaves.

@@ -126,6 +126,7 @@ fn said(writer: &Writer<'_>, finding: &Finding) -> String {
         Fault::Softening => "measured-finding-softening",
         Fault::Hardening => "measured-finding-hardening",
         Fault::PeriodDrift => "measured-finding-period-drift",
+        Fault::Losses if writer.fit.grows() => "measured-finding-growing",
         Fault::Losses => "measured-finding-losses",
         Fault::ZeroDrift => "measured-finding-zero-drift",
         Fault::Shape => "measured-finding-shape",

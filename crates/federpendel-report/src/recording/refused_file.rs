@@ -40,6 +40,7 @@ pub(super) fn of_file(catalogue: &Catalogue, error: &ReadError) -> String {
             "recording-too-large",
             &[("bytes", bytes.to_string().into()), ("most", most.to_string().into())],
         ),
+        ReadError::Password => catalogue.text("recording-password"),
         ReadError::Damaged { reason } => {
             catalogue.format("recording-damaged", &[("reason", excerpt(reason).into())])
         }

@@ -28,9 +28,18 @@ pub fn document(fits: &[Fitted], catalogue: &Catalogue) -> Document {
 fn one(fit: &Fitted, name: &str, catalogue: &Catalogue) -> (String, Vec<Block>, Vec<Section>) {
     let writer = Writer { catalogue, fit, name, prefix: String::new() };
     let title = catalogue.format("measured-title", &[("name", literal(name).into())]);
-    let mut sections = full(&writer);
-    sections.push(method::section(catalogue));
-    (title, vec![verdict(&writer)], sections)
+    (title, vec![verdict(&writer)], with_method(&writer))
+}
+
+/// The sections on a single recording, in the language of `catalogue`.
+pub fn sections(fit: &Fitted, catalogue: &Catalogue) -> Vec<Section> {
+    with_method(&Writer { catalogue, fit, name: &fit.name, prefix: String::new() })
+}
+
+fn with_method(writer: &Writer<'_>) -> Vec<Section> {
+    let mut sections = full(writer);
+    sections.push(method::section(writer.catalogue));
+    sections
 }
 
 fn many(

@@ -27,7 +27,12 @@ fn figure(writer: &Writer<'_>) -> Block {
     let variables = [("name", literal(writer.name).into()), ("mix", writer.mix().into())];
     Block::Figure {
         id: writer.id("figure-fit"),
-        plots: writer.fit.plots(writer.catalogue).into(),
+        // Who cannot draw them draws their own.
+        plots: if cfg!(feature = "pages") {
+            writer.fit.plots(writer.catalogue).into()
+        } else {
+            vec![]
+        },
         caption: writer.catalogue.format("measured-fit-caption", &variables),
     }
 }

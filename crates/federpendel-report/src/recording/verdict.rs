@@ -54,7 +54,7 @@ fn acting(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
         LAWS.iter().zip(shares).filter(|(law, _)| (law.acts)(model.mix)).collect();
     acting.sort_by(|(_, one), (_, other)| other.total_cmp(one));
     let Some(((first, share), others)) = acting.split_first() else {
-        return catalogue.text("fit-acts-none");
+        return catalogue.text(if fit.grows() { "fit-acts-growing" } else { "fit-acts-none" });
     };
     let percent = |share: f64| format!("{} %", catalogue.number(100.0 * share, 2));
     let variables = [
@@ -196,6 +196,7 @@ fn wrong(fit: &Fitted, catalogue: &Catalogue) -> String {
         Some(Fault::Softening) => "fit-wrong-softening",
         Some(Fault::Hardening) => "fit-wrong-hardening",
         Some(Fault::PeriodDrift) => "fit-wrong-period-drift",
+        Some(Fault::Losses) if fit.grows() => "fit-wrong-growing",
         Some(Fault::Losses) => "fit-wrong-losses",
         Some(Fault::ZeroDrift) => "fit-wrong-zero-drift",
         Some(Fault::Shape) => "fit-wrong-shape",

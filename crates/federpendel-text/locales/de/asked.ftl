@@ -1,27 +1,23 @@
-# Was verlangt wurde und nicht geht, und was eine Anpassung neben ihren Werten sagt. Der Ordner en hat dieselben Namen mit denselben Variablen.
+# Was verlangt wurde und nicht geht. Der Ordner en hat dieselben Namen mit denselben Variablen.
 
 ### Die Befehlszeile
 
 cli-missing-recording = Es fehlt eine Datei mit einer Aufzeichnung, wie in federpendel fit aufzeichnung.csv
 cli-no-seed = { $argument } ist „{ $value }“; erlaubt ist eine ganze Zahl von 0 bis 18446744073709551615
 quantity-or = { $one } oder { $other }
-fit-window-reversed = { $begin } ist { $from } und { $end } ist { $to }; erlaubt ist ein { $begin } vor { $end }
 
 ### Ein Plan
 
 plan-too-few-swings = Unter { $amplitude } bleiben weniger als fünf Halbschwingungen: nicht geplant.
 
-### Die Bilder einer Anpassung
+### Was fit annimmt
 
-plot-residual-axis = Residuum
-
-### Was neben einer Aufzeichnung gemessen wurde
-
-physical-bare-number = { $name } hat keine Einheit: Angenommen wird { $value }.
-quantity-uncertainty-large = die Unsicherheit ist größer als der halbe Wert, zu groß für eine Fortpflanzung auf andere Zahlen
-
-### Die Zusammenfassung einer Anpassung
-
-fit-row-plus-minus = ±
-fit-plus-minus = ein Standardfehler
-physical-hint = Mit --mass und --horizontal folgen auch Federkonstante, D, Kräfte und μ.
+fit-sigma-unit = { $name }: --sigma ist in { $unit }, die Werte sind in { $found }; erlaubt ist deren Einheit oder eine Zahl in ihr
+fit-some-failed = { $failed } von { $all } Aufzeichnungen ließen sich nicht anpassen
+physical-help-mass = Masse des Körpers ohne die Feder: ergibt Kräfte und die Federkonstante
+physical-help-stiffness = Federkonstante: ergibt die Masse oder wird mit der angegebenen verglichen
+physical-help-spring-mass = Masse der Feder, von der sich ein Drittel mit dem Körper bewegt (Vorgabe: 0)
+physical-help-normal-force = Kraft, die den Körper auf seine Führung drückt: ergibt die Reibungszahlen
+physical-help-horizontal = Der Körper gleitet auf einer waagrechten Führung: Die Normalkraft ist sein Gewicht
+physical-help-gravity = Fallbeschleunigung für --horizontal (Vorgabe: 9,81 m/s^2)
+cli-plot-fit = Was Bilder zeigen: { $plots } (Vorgabe: fit)

@@ -9,8 +9,11 @@ recording-no-table = Das ist { $found }; erlaubt ist { $allowed }
 recording-no-table-text = Das ist { $found } („{ $text }“); erlaubt ist { $allowed }
 recording-too-large = Entpackt sind das mindestens { $bytes } Bytes; erlaubt sind { $most }
 recording-long-line = Die Zeile hat mehr als { $most } Bytes; erlaubt ist eine Tabelle, in der jede Messung in einer eigenen Zeile steht
+recording-password = Ein Kennwort sperrt diese Arbeitsmappe; erlaubt ist eine ohne: Öffnen Sie sie in ihrem Programm und speichern Sie sie dort ohne Kennwort
 recording-damaged = Die Datei lässt sich nicht öffnen (die Leseroutine sagt auf Englisch: { $reason }); erlaubt ist ein unbeschädigtes Archiv oder eine unbeschädigte Mappe
+    .page = Die Datei lässt sich nicht öffnen; erlaubt ist ein unbeschädigtes Archiv oder eine unbeschädigte Mappe
 recording-several-tables = Die Datei enthält mehrere Tabellen, und keine ist angegeben (--table); erlaubt sind { $tables }
+    .page = Die Datei enthält mehrere Tabellen; wählen Sie eine davon: { $tables }
 recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat oder .asc liegt, oder eine Mappe mit einem Blatt voller Zahlen
 recording-no-named-tables = Als Tabelle ist „{ $asked }“ angegeben, aber in dieser Datei hat keine einen Namen; erlaubt ist, keine anzugeben
 recording-table-not-found = Als Tabelle ist „{ $asked }“ angegeben; erlaubt sind { $tables }
@@ -34,6 +37,7 @@ recording-field-value = die Werte
 recording-run-not-found = Als Durchgang ist „{ $asked }“ angegeben; erlaubt sind { $runs }
 recording-no-runs = Als Durchgang ist „{ $asked }“ angegeben, aber in dieser Datei hat keiner einen Namen; erlaubt ist, keinen anzugeben
 recording-no-time = Von keiner der Spalten { $columns } ist bekannt, dass sie die Zeiten enthält; eine davon muss dafür angegeben sein, oder eine Abtastrate (--time oder --rate)
+    .page = Von keiner der Spalten { $columns } ist bekannt, dass sie die Zeiten enthält; wählen Sie eine davon, oder geben Sie eine Abtastrate an
 recording-time-unit = Die Einheit der Spalte „{ $column }“ ist „{ $unit }“; erlaubt sind für eine Zeit { $allowed }
 recording-no-value = Von keiner der Spalten { $columns } ist bekannt, dass sie Werte enthält; nötig ist eine mit Zahlen neben den Zeiten, oder eine, die angegeben ist
 recording-quantity-unit = Die Einheit der Spalte „{ $column }“ ist „{ $unit }“; erlaubt sind für { $quantity } { $allowed } und ähnliche
@@ -42,7 +46,9 @@ recording-quantity-velocity = eine Geschwindigkeit
 recording-quantity-acceleration = eine Beschleunigung
 recording-rate = Die Abtastrate ist { $value }; erlaubt ist { $allowed }
 recording-rate-and-time = --rate und --time („{ $time }“) sind beide angegeben; erlaubt ist eins davon
+    .page = Eine Abtastrate und eine Spalte der Zeiten („{ $time }“) sind beide angegeben; erlaubt ist eins davon
 recording-value-unit = --unit ist „{ $asked }“; erlaubt sind Einheiten einer Auslenkung (m, cm, mm, rad, °), einer Geschwindigkeit (m/s, rad/s, …) und einer Beschleunigung (m/s², g, …)
+    .page = Als Einheit der Werte ist „{ $asked }“ angegeben; erlaubt sind Einheiten einer Auslenkung (m, cm, mm, rad, °), einer Geschwindigkeit (m/s, rad/s, …) und einer Beschleunigung (m/s², g, …)
 recording-too-few-rows = Die Aufzeichnung hat { $rows ->
     [one] eine Zeile
    *[other] { $rows } Zeilen
@@ -73,8 +79,8 @@ recording-note-name = Dem Namen nach enthält die Spalte der Werte { $quantity }
 recording-note-cut-off = Die letzte Zeile, { $line }, endet zu früh und ist weggelassen.
 recording-note-missing =
     { $count ->
-        [one] Einer Zeile fehlt Zeit oder Wert; sie ist weggelassen: Zeile { $line }.
-       *[other] { $count } Zeilen fehlt Zeit oder Wert; sie sind weggelassen, die erste ist Zeile { $line }.
+        [one] In einer Zeile fehlt die Zeit oder der Wert; sie ist weggelassen: Zeile { $line }.
+       *[other] In { $count } Zeilen fehlt die Zeit oder der Wert; sie sind weggelassen, die erste ist Zeile { $line }.
     }
 recording-note-sorted =
     { $count ->
@@ -104,11 +110,9 @@ fit-refused-too-few = Von { $from } bis { $to } hat die Aufzeichnung { $found ->
 fit-refused-time = Zeit Nummer { $number } ist { $value }; erlaubt ist eine endliche Zahl, größer als die Zeit davor
 fit-refused-value = Wert Nummer { $number } ist { $value }; erlaubt ist { $allowed }
 fit-refused-option = { $name } ist { $value }; erlaubt ist { $allowed }
-fit-sigma-unit = { $name }: --sigma ist in { $unit }, die Werte sind in { $found }; erlaubt ist deren Einheit oder eine Zahl in ihr
 fit-refused-still = Von { $from } bis { $to } sind alle Werte gleich; erlaubt ist ein Teil, in dem sich die Masse bewegt
 fit-refused-no-oscillation = Von { $from } bis { $to } schwingt nichts: Die Werte zeigen nur Rauschen oder einen gleichmäßigen Anstieg; erlaubt ist ein Teil mit wenigstens einigen Halbschwingungen
 fit-refused-no-fit = Von { $from } bis { $to } lässt sich keine Bewegung eines Federpendels anpassen; erlaubt ist ein Teil, in dem es frei schwingt
-fit-some-failed = { $failed } von { $all } Aufzeichnungen ließen sich nicht anpassen
 
 ### Warum der angepasste Teil dort beginnt oder endet, wo er es tut
 
@@ -130,6 +134,7 @@ fit-law-coulomb = Trockene (Coulombsche) Reibung
 fit-law-newton = Quadratische (Newtonsche) Reibung
     .inside = quadratische (Newtonsche) Reibung
 fit-acts-none = In dieser Aufzeichnung zeigt sich keine Reibung.
+fit-acts-growing = In dieser Aufzeichnung wächst die Amplitude, statt abzunehmen: Etwas führt der Masse Energie zu, und Reibung zeigt sich nicht.
 fit-acts-alone = { $law } wirkt: { $value }
 fit-open = Die Aufzeichnung lässt offen, welches Gemisch wirkt: { $mixes }.
 fit-physically = In physikalischen Größen: { $values }.
@@ -154,6 +159,7 @@ fit-wrong-softening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode w�
 fit-wrong-hardening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
 fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode driftet.
 fit-wrong-losses = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
+fit-wrong-growing = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude wächst, statt abzunehmen; etwas führt der Masse Energie zu.
 fit-wrong-zero-drift = Kein Gemisch beschreibt diese Aufzeichnung: Der Nullpunkt des Sensors driftet.
 fit-wrong-shape = Kein Gemisch beschreibt diese Aufzeichnung: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
 fit-wrong-residual = Kein Gemisch beschreibt diese Aufzeichnung: Die Anpassung lässt weit mehr übrig als das Rauschen des Sensors.
@@ -166,4 +172,8 @@ fit-caution-outliers =
     { $count ->
         [one] Ein Wert liegt weit ab von den anderen und verzieht die Anpassung: --loss tukey lässt ihn beiseite.
        *[other] { $count } Werte liegen weit ab von den anderen und verziehen die Anpassung: --loss tukey lässt sie beiseite.
+    }
+    .page = { $count ->
+        [one] Ein Wert liegt weit ab von den anderen und verzieht die Anpassung: Das Programm federpendel kann ihn beiseitelassen.
+       *[other] { $count } Werte liegen weit ab von den anderen und verziehen die Anpassung: Das Programm federpendel kann sie beiseitelassen.
     }

@@ -1,8 +1,6 @@
 # Der Bericht einer Anpassung. Der Ordner en enthält dieselben Namen mit denselben Variablen.
 
-measured-interval = { $low } bis { $high }
 measured-none = –
-measured-colophon = Erstellt mit federpendel { $version }.
 
 ### Eine Aufzeichnung
 
@@ -34,7 +32,6 @@ measured-loss-text = Wie viel Amplitude eine Halbschwingung kostet, unterscheide
 measured-loss-caption = Die Punkte stammen allein aus den Umkehrpunkten der Aufzeichnung: die halbe Differenz zweier Weiten von Umkehrpunkt zu Umkehrpunkt, in der sich der Nullpunkt des Sensors aufhebt. Die Linie ist das gemittelte Gesetz { $law } mit den Werten der Tabelle oben; an die Punkte ist sie nicht angepasst.
 measured-loss-velocity = Da eine Geschwindigkeit aufgezeichnet ist, stehen ihre Extremwerte, geteilt durch $\omega_0$, für die Amplituden; das ist richtig, solange eine Halbschwingung nur einen kleinen Teil ihrer Amplitude verliert.
 measured-loss-acceleration = Da eine Beschleunigung aufgezeichnet ist, stehen ihre Extremwerte, geteilt durch $\omega_0^2$, für die Amplituden; das ist richtig, solange eine Halbschwingung nur einen kleinen Teil ihrer Amplitude verliert. Der Sprung, den trockene Reibung an den Umkehrpunkten macht, kann die Amplituden um bis zu $f$ verschieben, ihre Abnahme nicht.
-measured-swings = Mittel von bis zu { $count } Halbschwingungen
 measured-loss-none = Für ein Bild der Abnahmen hat die Aufzeichnung zu wenige Umkehrpunkte.
 
 ## Gemische
@@ -103,6 +100,7 @@ measured-finding-softening = Die Periode wächst mit der Amplitude wie beim Pend
 measured-finding-hardening = Die Periode fällt mit der Amplitude: Die weitesten Schwingungen sind um { $effect } schneller als die kleinsten.
 measured-finding-period-drift = Die Periode driftet; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-losses = Die Verluste an Amplitude sind die keines Gemischs der Gesetze; das macht bis zu { $effect } der Bewegung aus.
+measured-finding-growing = Die Amplitude wächst, statt abzunehmen; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-zero-drift = Der Nullpunkt des Sensors driftet; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-shape = Die Schwingungen haben eine andere Form, wie bei einem nicht linearen Sensor; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-residual = Was die Anpassung übrig lässt, ist weit mehr als das Rauschen von Wert zu Wert: { $effect } der weitesten Halbschwingung.
@@ -120,25 +118,3 @@ measured-symbols-kappa = $\kappa$ misst die quadratische (Newtonsche) Reibung, e
 measured-symbols-length = Längen sind in der Einheit der Aufzeichnung angegeben. Ist $x$ in Volt aufgezeichnet, so hat $a_c$ die Einheit Volt durch Sekunde im Quadrat.
 measured-steps = Zuerst wird der Teil der Aufzeichnung gesucht, in dem die Masse frei schwingt; seine Umkehrpunkte geben eine erste Vorstellung von den Koeffizienten. Dann wird die ganze Bewegung, durch jede Umkehr und bis zur Ruhe, nach der Methode der kleinsten Quadrate angepasst, einmal für jedes Gemisch der drei Gesetze. Das Urteil ist das einfachste Gemisch, das nicht verworfen ist, und in den Residuen wird gesucht, was kein Gemisch erklären kann.
 measured-confidence = Der Standardfehler sagt, wie weit ein Wert bei einer Wiederholung des Versuchs typischerweise danebenläge; das 95-%-Intervall enthält in 19 von 20 Fällen den wahren Wert, sofern das Modell stimmt.
-
-### Viele Aufzeichnungen
-
-measured-title-many = Welche Reibung wirkt in { $count } Aufzeichnungen?
-measured-lead-many =
-    { $adequate ->
-        [0] Kein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt eine dieser { $count } Aufzeichnungen.
-        [one] Ein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt eine dieser { $count } Aufzeichnungen.
-       *[other] Ein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt { $adequate } dieser { $count } Aufzeichnungen.
-    }
-measured-summary = Übersicht
-measured-summary-caption = Alle Aufzeichnungen: die Gesetze, die wirken, mit Standardfehlern, oder warum kein Gemisch die Bewegung beschreibt.
-measured-head-recording = Aufzeichnung
-measured-head-verdict = Urteil
-measured-brief-mixes = Gemische nach AICc, mit dem Abstand vom besten: { $mixes }.
-measured-brief-mix = { $mix } { $difference }
-measured-brief-part = Angepasst: { $from } bis { $to }, { $samples } Werte ({ $effective } unabhängige), Spalte { $column }; Residuum (quadratisches Mittel) { $rms }.
-measured-brief-edges = Dort beginnt es: { $begins }. Dort endet es: { $ends }.
-
-### Die Kommandozeile
-
-cli-plot-fit = Was Bilder zeigen: { $plots } (Vorgabe: fit)

@@ -16,19 +16,27 @@ physical-absent-mass = Für Kräfte und Massen muss die Masse des Körpers oder 
 physical-absent-normal-force = Reibungszahlen fehlen, weil nicht angegeben ist, was den Körper auf eine Führung drückt; bei einem hängenden Körper gibt es keine solche Kraft.
 physical-absent-spring-mass = Ein Drittel der Federmasse ist mehr, als sich nach Federkonstante und Frequenz insgesamt bewegt; daher fehlt die Masse des Körpers.
 physical-absent-length = Die Aufzeichnung misst Längen in { $unit }; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: --unit m, cm oder mm sagt, worin ihre Längen stehen.
+    .page = Die Aufzeichnung misst Längen in { $unit }; für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: Geben Sie als Einheit der Werte etwa m, cm oder mm an.
 physical-absent-unit = Die Aufzeichnung nennt keine Einheit: Massen, Federkonstante und Dämpfung gelten nur, wenn sie Längen und keine Winkel misst, und für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: --unit m, cm oder mm sagt, worin ihre Längen stehen.
+    .page = Die Aufzeichnung nennt keine Einheit: Massen, Federkonstante und Dämpfung gelten nur, wenn sie Längen und keine Winkel misst, und für Kräfte, Reibungszahlen und den Widerstand sind Meter nötig: Geben Sie als Einheit der Werte etwa m, cm oder mm an.
 
-### Die Befehlszeile
+### Was angegeben wird
 
 physical-help-heading = Neben der Aufzeichnung gemessen, etwa "250(1) g" oder "12,0 ± 0,3 N/m"
-physical-help-mass = Masse des Körpers ohne die Feder: ergibt Kräfte und die Federkonstante
-physical-help-stiffness = Federkonstante: ergibt die Masse oder wird mit der angegebenen verglichen
-physical-help-spring-mass = Masse der Feder, von der sich ein Drittel mit dem Körper bewegt (Vorgabe: 0)
-physical-help-normal-force = Kraft, die den Körper auf seine Führung drückt: ergibt die Reibungszahlen
-physical-help-horizontal = Der Körper gleitet auf einer waagrechten Führung: Die Normalkraft ist sein Gewicht
-physical-help-gravity = Fallbeschleunigung für --horizontal (Vorgabe: 9,81 m/s^2)
 physical-horizontal-twice = --normal-force ist { $value }, aber mit --horizontal ist schon das Gewicht die Normalkraft; nur eines von beiden darf angegeben sein
 physical-gravity-alone = --gravity ist { $value }; erlaubt ist es nur zusammen mit --horizontal
 quantity-uncertainty-negative = die Unsicherheit ist negativ
 quantity-uncertainty-unit = der Wert hat eine Einheit, seine Unsicherheit keine; die Einheit steht einmal am Ende oder bei beiden
 quantity-uncertainty-grammar = das ist kein Wert mit einer Unsicherheit wie 250(1) g, 12,0 ± 0,3 N/m oder (12,0 ± 0,3) N/m
+
+### Was eine Anpassung neben ihren Werten sagt
+
+fit-window-reversed = { $begin } ist { $from } und { $end } ist { $to }; erlaubt ist ein { $begin } vor { $end }
+    .page = Der angepasste Teil würde bei { $from } beginnen und bei { $to } enden; erlaubt ist ein Ende nach dem Anfang
+plot-residual-axis = Residuum
+physical-bare-number = { $name } hat keine Einheit: Angenommen wird { $value }.
+quantity-uncertainty-large = die Unsicherheit ist größer als der halbe Wert, zu groß für eine Fortpflanzung auf andere Zahlen
+fit-row-plus-minus = ±
+fit-plus-minus = ein Standardfehler
+physical-hint = Mit --mass und --horizontal folgen auch Federkonstante, D, Kräfte und μ.
+    .page = Mit einer Masse bei „Angaben zum Versuch“ folgen auch Federkonstante, D und Kräfte, mit der Kraft auf die Führung auch μ.

@@ -1,27 +1,23 @@
-# What was asked for and cannot be had, and what a fit says beside its values. The folder de holds the same ids with the same variables.
+# What was asked for and cannot be had. The folder de holds the same ids with the same variables.
 
 ### The command line
 
 cli-missing-recording = A file with a recording is missing, as in federpendel fit recording.csv
 cli-no-seed = { $argument } is “{ $value }”; allowed is a whole number from 0 to 18446744073709551615
 quantity-or = { $one } or { $other }
-fit-window-reversed = { $begin } is { $from } and { $end } is { $to }; allowed is a { $begin } before { $end }
 
 ### A plan
 
 plan-too-few-swings = Below { $amplitude } fewer than five swings (half periods) remain: not planned.
 
-### The pictures of a fit
+### What fit takes
 
-plot-residual-axis = Residual
-
-### What was measured beside a recording
-
-physical-bare-number = { $name } has no unit: { $value } is taken.
-quantity-uncertainty-large = its uncertainty is more than half of the value, too much to be carried on into other numbers
-
-### The summary of a fit
-
-fit-row-plus-minus = ±
-fit-plus-minus = one standard error
-physical-hint = --mass and --horizontal add stiffness, D, forces and μ.
+fit-sigma-unit = { $name }: --sigma is in { $unit }, the values are in { $found }; allowed is their unit, or a number in it
+fit-some-failed = { $failed } of { $all } recordings could not be fitted
+physical-help-mass = Mass of the body without the spring: gives forces and the stiffness
+physical-help-stiffness = Stiffness of the spring: gives the mass, or is compared with one that is given
+physical-help-spring-mass = Mass of the spring, a third of which moves with the body (default: 0)
+physical-help-normal-force = Force that presses the body on its guide: gives the coefficients of friction
+physical-help-horizontal = The body slides on a level guide: the normal force is its weight
+physical-help-gravity = Acceleration of gravity for --horizontal (default: 9.81 m/s^2)
+cli-plot-fit = What pictures show: { $plots } (default: fit)

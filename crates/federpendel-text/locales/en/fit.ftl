@@ -9,8 +9,11 @@ recording-no-table = this is { $found }; allowed is { $allowed }
 recording-no-table-text = this is { $found } (“{ $text }”); allowed is { $allowed }
 recording-too-large = unpacked this has { $bytes } bytes or more; allowed are { $most }
 recording-long-line = the line has more than { $most } bytes; allowed is a table with each measurement in a line of its own
+recording-password = a password locks this workbook; allowed is one without: open it in its program and save it without a password
 recording-damaged = the file cannot be opened (its reader says: { $reason }); allowed is an archive or a workbook that is whole
+    .page = The file cannot be opened; allowed is an archive or a workbook that is whole
 recording-several-tables = the file holds several tables and none is named (--table); allowed are { $tables }
+    .page = The file holds several tables; choose one of them: { $tables }
 recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat or .asc in it, or a workbook with a sheet of numbers
 recording-no-named-tables = the table asked for is “{ $asked }”, but this file holds none with a name; allowed is to ask for none
 recording-table-not-found = the table asked for is “{ $asked }”; allowed are { $tables }
@@ -34,6 +37,7 @@ recording-field-value = value
 recording-run-not-found = the run asked for is “{ $asked }”; allowed are { $runs }
 recording-no-runs = the run asked for is “{ $asked }”, but this file has no runs with a name; allowed is to ask for none
 recording-no-time = none of the columns { $columns } is known to hold the times; one of them must be named, or a rate given (--time, or --rate)
+    .page = None of the columns { $columns } is known to hold the times; choose one of them, or give a sampling rate
 recording-time-unit = the column “{ $column }” is in “{ $unit }”; allowed for a time are { $allowed }
 recording-no-value = none of the columns { $columns } is known to hold values; needed is one of numbers besides the times, or one that is named
 recording-quantity-unit = the column “{ $column }” is in “{ $unit }”; allowed for { $quantity } are { $allowed } and the like
@@ -42,7 +46,9 @@ recording-quantity-velocity = a velocity
 recording-quantity-acceleration = an acceleration
 recording-rate = the rate is { $value }; allowed is { $allowed }
 recording-rate-and-time = --rate and --time (“{ $time }”) are both given; allowed is one of them
+    .page = A sampling rate and a column of times (“{ $time }”) are both given; allowed is one of them
 recording-value-unit = --unit is “{ $asked }”; allowed are units of a position (m, cm, mm, rad, °), of a velocity (m/s, rad/s, …) and of an acceleration (m/s², g, …)
+    .page = The unit of the values is “{ $asked }”; allowed are units of a position (m, cm, mm, rad, °), a velocity (m/s, rad/s, …) and an acceleration (m/s², g, …)
 recording-too-few-rows = the recording has { $rows ->
     [one] one row
    *[other] { $rows } rows
@@ -104,11 +110,9 @@ fit-refused-too-few = from { $from } to { $to } the recording has { $found ->
 fit-refused-time = time number { $number } is { $value }; allowed is a finite number greater than the time before
 fit-refused-value = value number { $number } is { $value }; allowed is { $allowed }
 fit-refused-option = { $name } is { $value }; allowed is { $allowed }
-fit-sigma-unit = { $name }: --sigma is in { $unit }, the values are in { $found }; allowed is their unit, or a number in it
 fit-refused-still = from { $from } to { $to } all values are the same; allowed is a part in which the mass moves
 fit-refused-no-oscillation = from { $from } to { $to } nothing swings: the values show no more than noise or a ramp; allowed is a part with at least a few swings
 fit-refused-no-fit = from { $from } to { $to } no motion of a mass on a spring can be fitted; allowed is a part in which it swings freely
-fit-some-failed = { $failed } of { $all } recordings could not be fitted
 
 ### Why the fitted part begins or ends where it does
 
@@ -130,6 +134,7 @@ fit-law-coulomb = Dry (Coulomb) friction
 fit-law-newton = Quadratic (Newton) friction
     .inside = quadratic (Newton) friction
 fit-acts-none = No friction shows in this recording.
+fit-acts-growing = In this recording the amplitude grows instead of falling: something feeds the mass with energy, and no friction shows.
 fit-acts-alone = { $law } acts: { $value }
 fit-open = The recording leaves open which mix acts: { $mixes }.
 fit-physically = In physical numbers: { $values }.
@@ -154,6 +159,7 @@ fit-wrong-softening = No mix describes this recording: the period grows with amp
 fit-wrong-hardening = No mix describes this recording: the period falls with amplitude (a hardening spring).
 fit-wrong-period-drift = No mix describes this recording: the period drifts.
 fit-wrong-losses = No mix describes this recording: the losses of amplitude are those of no mix of the three laws.
+fit-wrong-growing = No mix describes this recording: its amplitude grows instead of falling; something feeds the mass with energy.
 fit-wrong-zero-drift = No mix describes this recording: the zero of the sensor drifts.
 fit-wrong-shape = No mix describes this recording: the swings have another shape, as of a sensor that is not linear.
 fit-wrong-residual = No mix describes this recording: the fit leaves far more than the noise of the sensor.
@@ -166,4 +172,8 @@ fit-caution-outliers =
     { $count ->
         [one] One value lies far off the others and sways the fit: --loss tukey leaves it aside.
        *[other] { $count } values lie far off the others and sway the fit: --loss tukey leaves them aside.
+    }
+    .page = { $count ->
+        [one] One value lies far off the others and sways the fit: the program federpendel can leave it aside.
+       *[other] { $count } values lie far off the others and sway the fit: the program federpendel can leave them aside.
     }

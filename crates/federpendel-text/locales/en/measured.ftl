@@ -1,8 +1,6 @@
 # The report of a fit. The folder de holds the same ids with the same variables.
 
-measured-interval = { $low } to { $high }
 measured-none = –
-measured-colophon = Made by federpendel { $version }.
 
 ### One recording
 
@@ -34,7 +32,6 @@ measured-loss-text = What a swing (half a period) costs tells the laws apart. Th
 measured-loss-caption = The points come from the turning points of the recording alone: half the difference of two widths from peak to peak, in which the zero of the sensor cancels. The line is the averaged law { $law } with the values of the table above; it is not fitted to the points.
 measured-loss-velocity = Since a velocity was recorded, its extremes over $\omega_0$ stand for the amplitudes, which is right as long as a swing loses a small part of its amplitude.
 measured-loss-acceleration = Since an acceleration was recorded, its extremes over $\omega_0^2$ stand for the amplitudes, which is right as long as a swing loses a small part of its amplitude; the jump of dry friction at the turning points may shift amplitudes by up to $f$, but not their losses.
-measured-swings = Means of up to { $count } swings
 measured-loss-none = The recording has too few turning points for a picture of its losses.
 
 ## Mixes
@@ -103,6 +100,7 @@ measured-finding-softening = The period grows with amplitude, as a pendulum’s 
 measured-finding-hardening = The period falls with amplitude: the widest swings are faster than the smallest by { $effect }.
 measured-finding-period-drift = The period drifts, by up to { $effect } of the motion.
 measured-finding-losses = The losses of amplitude are those of no mix of the laws, by up to { $effect } of the motion.
+measured-finding-growing = The amplitude grows instead of falling; that is up to { $effect } of the motion.
 measured-finding-zero-drift = The zero of the sensor drifts, by up to { $effect } of the motion.
 measured-finding-shape = The swings have another shape, as of a sensor that is not linear, by up to { $effect } of the motion.
 measured-finding-residual = What the fit leaves is far more than the noise from value to value: { $effect } of the widest swing.
@@ -120,25 +118,3 @@ measured-symbols-kappa = $\kappa$ is the rate of quadratic (Newton) friction, a 
 measured-symbols-length = Lengths are in the unit of the recording. With $x$ in volts, $a_c$ is in volts per second squared.
 measured-steps = The part of the recording in which the mass swings freely is found, and the turning points in it give a first idea of the coefficients. Then the whole motion, through every reversal and until rest, is fitted by least squares, once for each mix of the three laws. The verdict is the simplest mix that is not rejected, and the residuals are searched for what no mix can explain.
 measured-confidence = The standard error says how far a value would typically be off if the experiment were repeated; the 95 % interval holds the true value in 19 of 20 cases, provided the model is right.
-
-### Many recordings
-
-measured-title-many = Which friction acts in { $count } recordings?
-measured-lead-many =
-    { $adequate ->
-        [0] No mix of Stokes, Coulomb and Newton friction describes any of these { $count } recordings.
-        [one] A mix of Stokes, Coulomb and Newton friction describes one of these { $count } recordings.
-       *[other] A mix of Stokes, Coulomb and Newton friction describes { $adequate } of these { $count } recordings.
-    }
-measured-summary = Summary
-measured-summary-caption = All recordings: the laws that act, with standard errors, or why no mix describes the motion.
-measured-head-recording = Recording
-measured-head-verdict = Verdict
-measured-brief-mixes = Mixes by AICc, with the difference from the best: { $mixes }.
-measured-brief-mix = { $mix } { $difference }
-measured-brief-part = Fitted: { $from } to { $to }, { $samples } values ({ $effective } independent ones), column { $column }; residual (rms) { $rms }.
-measured-brief-edges = It begins there: { $begins }. It ends there: { $ends }.
-
-### The command line
-
-cli-plot-fit = What pictures show: { $plots } (default: fit)

@@ -1,7 +1,7 @@
 //! A place on the chain of swings, from which it is walked and sampled.
 
 use crate::chain::linear::{self, LinearChain};
-use crate::chain::series::{MOST_SWINGS, Next, SeriesChain};
+use crate::chain::series::{Next, SeriesChain};
 use crate::chain::stop::StopChain;
 use crate::chain::{Chain, Frame, Start};
 use crate::error::{Error, Result};
@@ -97,13 +97,17 @@ impl<'m> Cursor<'m> {
         true
     }
 
+    /// Whether so many swings are behind it that no more are followed.
+    pub fn is_given_up(&self) -> bool {
+        matches!(self.course, Course::Series(chain) if self.start.index >= chain.most_swings)
+    }
+
     /// Goes on to the next start on the way to `time`, s.
     ///
     /// # Errors
     /// [`Error::TooManySwings`] if the motion is not followed any further.
     pub fn advance_towards(&mut self, time: f64) -> Result<()> {
-        let series = matches!(self.course, Course::Series(_));
-        if series && self.start.index >= MOST_SWINGS || !self.advance() {
+        if self.is_given_up() || !self.advance() {
             return Err(self.lost(time));
         }
         Ok(())

@@ -11,8 +11,8 @@ use crate::swing::stiff::Stiff;
 use crate::swing::taylor::{NEGLIGIBLE, Taylor};
 use crate::swing::{End, NotFollowed};
 
-/// So many swings are followed; then the motion is given up as unknown.
-pub(crate) const MOST_SWINGS: u64 = 10_000_000;
+/// So many swings are followed unless one says otherwise; then the motion is given up as unknown.
+const MOST_SWINGS: u64 = 10_000_000;
 
 /// The swings from the release on.
 #[derive(Debug)]
@@ -24,6 +24,8 @@ pub(crate) struct SeriesChain {
     stiff: Option<Stiff>,
     amplitude: f64,
     first: Start,
+    /// So many swings are followed; then the motion is given up as unknown.
+    pub most_swings: u64,
     known: Mutex<Known>,
 }
 
@@ -88,6 +90,7 @@ impl SeriesChain {
             stiff,
             amplitude,
             first,
+            most_swings: MOST_SWINGS,
             known: Mutex::new(Known::new(first)),
         }
     }

@@ -17,12 +17,18 @@
 //! # Ok::<(), federpendel::Error>(())
 //! ```
 
+mod candidate;
 mod course;
 mod ending;
+mod findings;
 mod gauge;
 mod ladder;
+mod remark;
 
+pub use candidate::Candidate;
 pub use course::{Course, MOST_STEPS};
 pub use ending::{Ending, ending};
+pub use findings::Findings;
 pub use gauge::{Errors, Gauge, errors};
 pub use ladder::{FailedRung, Ladder, Rung, ladder, order};
+pub use remark::Remark;

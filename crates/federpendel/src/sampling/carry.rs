@@ -48,7 +48,8 @@ impl<'a> Carry<'a> {
 }
 
 impl Source for Carry<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn block<const FUSED: bool>(
         &mut self,
         _: &Times,

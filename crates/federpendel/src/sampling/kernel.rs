@@ -121,8 +121,10 @@ impl Run<'_> {
             (vs, velocities) = velocities.split_at_mut(count);
             let mut run = Run { cursor, reduced, times, first: at, positions: xs, velocities: vs };
             let clock = run.clock(start + piece.center);
-            // As many terms as this piece needs, in a few lengths that the compiler can unroll.
-            match piece.terms(end) {
+            // As many terms as this piece needs, in a few lengths that the compiler can unroll; for a browser one length,
+            // each being code to send.
+            let terms = if cfg!(target_family = "wasm") { DEGREE + 1 } else { piece.terms(end) };
+            match terms {
                 12 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<12>(piece))),
                 16 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<16>(piece))),
                 18 => run.store::<FUSED>(Direct::new(&clock, &Polynomials::<18>(piece))),
@@ -179,7 +181,8 @@ impl<'a, S: Stretch> Direct<'a, S> {
 }
 
 impl<S: Stretch> Source for Direct<'_, S> {
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn block<const FUSED: bool>(
         &mut self,
         times: &Times,

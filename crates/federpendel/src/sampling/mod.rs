@@ -32,6 +32,14 @@ fn fill_unsorted(
     Ok(())
 }
 
+/// The vector instructions of this machine. In a browser plain numbers: two kinds of code would be too much to send.
+pub(crate) fn arch() -> pulp::Arch {
+    #[cfg(target_family = "wasm")]
+    return pulp::Arch::Scalar;
+    #[cfg(not(target_family = "wasm"))]
+    pulp::Arch::new()
+}
+
 /// Steps back in time after which the times are sorted.
 const PATIENCE: usize = 8;
 
@@ -42,7 +50,7 @@ pub(crate) fn fill(
     positions: &mut [f64],
     velocities: &mut [f64],
 ) -> Result<()> {
-    let arch = pulp::Arch::new();
+    let arch = arch();
     let mut cursor = motion.cursor(true);
     let (mut first, mut steps_back) = (0, 0);
     while first < positions.len() {

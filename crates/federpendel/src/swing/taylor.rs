@@ -114,8 +114,19 @@ const TRUNCATION_DAMPED: f64 = 1e-18;
 const MOST_STEPS: usize = 1 << 21;
 
 /// The recurrence, order after order, with every loop inside it of a length known to the compiler.
+#[cfg(not(target_family = "wasm"))]
 macro_rules! orders {
-    ($series:ident, $fused:ident: $($n:literal)*) => { $($series.order::<$fused, $n>();)* };
+    ($series:ident, $fused:ident: $($n:literal)*) => { $($series.order::<$fused>($n);)* };
+}
+
+/// The same in a fraction of the code, for browsers to load.
+#[cfg(target_family = "wasm")]
+macro_rules! orders {
+    ($series:ident, $fused:ident: $($n:literal)*) => {
+        for n in [$($n),*] {
+            $series.order::<$fused>(n);
+        }
+    };
 }
 
 impl Taylor {
@@ -189,7 +200,7 @@ impl Taylor {
         w0: f64,
         pieces: Option<&mut Vec<Piece>>,
     ) -> Result<End, NotFollowed> {
-        pulp::Arch::new().dispatch(Solve { taylor: self, y0, w0, pieces })
+        crate::sampling::arch().dispatch(Solve { taylor: self, y0, w0, pieces })
     }
 
     #[inline(always)]
@@ -288,25 +299,25 @@ struct Recurrence {
 }
 
 impl Recurrence {
-    /// Goes on from order `N` to the next.
+    /// Goes on from order `n` to the next.
     #[inline(always)]
-    fn order<const FUSED: bool, const N: usize>(&mut self) {
-        let inverse = const { 1.0 / (N + 1) as f64 };
+    fn order<const FUSED: bool>(&mut self, n: usize) {
+        let inverse = 1.0 / (n + 1) as f64;
         let z_next = self.q * inverse;
         let l_next = self.l_slope * inverse;
-        self.z[N + 1] = z_next;
-        self.y[N + 1] = l_next + z_next;
+        self.z[n + 1] = z_next;
+        self.y[n + 1] = l_next + z_next;
         // Half the sum of the others; the newest of them come last, so that it need not wait for them.
-        let mut sum = if N.is_multiple_of(2) { 0.5 * self.p[N / 2] * self.p[N / 2] } else { 0.0 };
-        for j in (1..N.div_ceil(2)).rev() {
-            sum = mul_add::<FUSED>(self.p[j], self.p[N - j], sum);
+        let mut sum = if n.is_multiple_of(2) { 0.5 * self.p[n / 2] * self.p[n / 2] } else { 0.0 };
+        for j in (1..n.div_ceil(2)).rev() {
+            sum = mul_add::<FUSED>(self.p[j], self.p[n - j], sum);
         }
-        let damped = mul_add::<FUSED>(self.damping, self.q, self.z[N]);
+        let damped = mul_add::<FUSED>(self.damping, self.q, self.z[n]);
         let others = mul_add::<FUSED>(2.0 * self.kappa, sum, -damped);
-        self.q = mul_add::<FUSED>(self.newest, self.p[N], others) * inverse;
+        self.q = mul_add::<FUSED>(self.newest, self.p[n], others) * inverse;
         self.l_slope = -mul_add::<FUSED>(self.damping, self.l_slope, self.l) * inverse;
         self.l = l_next;
-        self.p[N + 1] = self.l_slope + self.q;
+        self.p[n + 1] = self.l_slope + self.q;
     }
 }
 

@@ -97,42 +97,14 @@ fn row(compared: &Compared, style: Style<'_>) -> [String; 6] {
         let none = || "–".to_owned();
         return [name, catalogue.text("compare-failed"), none(), none(), none(), none()];
     };
-    let declared = compared.candidate.order().map(|order| order.to_string());
-    let observed = measured.ladder.order().map(|order| decimal(order, style));
-    let order = match (declared, observed) {
-        (Some(declared), Some(observed)) => format!("{declared} → {observed}"),
-        (Some(declared), None) => format!("{declared} → ?"),
-        _ => "–".to_owned(),
-    };
+    let order = catalogue.orders(compared.candidate.order(), measured.ladder.order());
     let steps = match measured.errors.steps {
         0 => "–".to_owned(),
         steps => steps.to_string(),
     };
     let time = catalogue.quantity(measured.run_time.as_secs_f64(), "s", 2);
     let error = catalogue.quantity(measured.errors.largest, "m", DIGITS);
-    [name, error, order, at_rest(measured, style), steps, time]
-}
-
-/// What the method does where the mass rests.
-fn at_rest(measured: &Measured, style: Style<'_>) -> String {
-    let catalogue = style.catalogue;
-    match (measured.sticks, measured.creep) {
-        (Some(true), _) => catalogue.text("compare-sticks"),
-        (Some(false), Some(creep)) => {
-            let speed = catalogue.quantity(creep, "m/s", 2);
-            catalogue.format("compare-creeps", &[("speed", speed.into())])
-        }
-        (Some(false), None) => catalogue.text("compare-goes-on"),
-        (None, _) => "–".to_owned(),
-    }
-}
-
-/// With one decimal: an order is not known better.
-fn decimal(order: f64, style: Style<'_>) -> String {
-    let sign = style.catalogue.language().decimal_sign().to_string();
-    // Adding zero turns −0.0 into 0.0.
-    let order = (10.0 * order).round() / 10.0 + 0.0;
-    format!("{order:.1}").replace('.', &sign).replace('-', "−")
+    [name, error, order, catalogue.at_rest(measured.sticks, measured.creep), steps, time]
 }
 
 /// Why methods failed, and why some have no order; methods with one reason in one sentence.

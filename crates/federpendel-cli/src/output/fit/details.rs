@@ -3,18 +3,27 @@
 use std::io::{self, Write};
 
 use federpendel_fit::{Model, Parameter};
-use federpendel_report::recording::{Fitted, damping_rows, edge, parameter_name, stop_reason};
+use federpendel_report::recording::{
+    Fitted, damping_rows, edge, parameter_name, parameter_value, stop_reason,
+};
 use federpendel_text::Catalogue;
 
 use super::super::summary::Table;
-use super::summary::value;
 
 /// Correlations below this are not worth a line.
 const CORRELATED: f64 = 0.1;
 
-/// A value with its error and its 95 % interval.
-pub(super) fn with_interval(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
-    let shown = value(fit, parameter, catalogue);
+/// The parameters of the verdict's mix, each with its error and its 95 % interval.
+pub(super) fn intervals(fit: &Fitted, catalogue: &Catalogue) -> Vec<(String, String)> {
+    let parameters = fit.report.best().map_or(&[][..], |model| &model.parameters);
+    let row = |parameter: &Parameter| {
+        (catalogue.text(parameter_name(parameter)), with_interval(fit, parameter, catalogue))
+    };
+    parameters.iter().map(row).collect()
+}
+
+fn with_interval(fit: &Fitted, parameter: &Parameter, catalogue: &Catalogue) -> String {
+    let shown = parameter_value(fit, parameter, catalogue);
     let Some(middle) = parameter.value else { return shown };
     let unit = fit.report.unit_of(parameter.name);
     let error = parameter.stderr.unwrap_or(f64::NAN);

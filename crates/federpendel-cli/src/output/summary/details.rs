@@ -8,7 +8,6 @@ use federpendel::{NormalForce, Oscillator, Outcome, Rest};
 use federpendel_text::Catalogue;
 
 use super::super::Style;
-use super::damping_ratio;
 use super::noise::Noise;
 use super::table::Table;
 use super::wrap::wrap;
@@ -99,39 +98,9 @@ fn given<'a>(record: &Record, style: Style<'a>) -> Table<'a> {
 }
 
 fn derived<'a>(record: &Record, style: Style<'a>) -> Table<'a> {
-    let oscillator = record.motion.oscillator();
-    let mix = oscillator.friction().mix();
     let mut table = Table::new(style.catalogue);
-    let mut add = |id: &str, symbol: &str, value: f64, unit: &str| {
-        let name = format!("{} {symbol}", style.catalogue.text(id));
-        table.named(name, style.catalogue.quantity(value, unit, DIGITS));
-    };
-    add("derived-angular-frequency", "ω0", oscillator.angular_frequency(), "1/s");
-    if let Some(period) = oscillator.period() {
-        let id = if mix.newton { "summary-period-small" } else { "summary-period" };
-        add(id, "T", period, "s");
-    }
-    if mix.stokes {
-        add("derived-damping-rate", "γ", oscillator.damping_rate(), "1/s");
-        let name = format!("{} ζ", style.catalogue.text("derived-damping-ratio"));
-        table.named(name, damping_ratio(oscillator, style, DIGITS));
-    }
-    let mut add = |id: &str, symbol: &str, value: f64, unit: &str| {
-        let name = format!("{} {symbol}", style.catalogue.text(id));
-        table.named(name, style.catalogue.quantity(value, unit, DIGITS));
-    };
-    if let Some(factor) = oscillator.quality_factor() {
-        add("derived-quality-factor", "Q", factor, "1");
-    }
-    if let Some(decrement) = oscillator.logarithmic_decrement().filter(|_| mix.stokes) {
-        add("derived-logarithmic-decrement", "Λ", decrement, "1");
-    }
-    if mix.coulomb {
-        add("derived-offset", "f", oscillator.offset(), "m");
-        add("derived-sticking-offset", "f_s", oscillator.sticking_offset(), "m");
-    }
-    if mix.newton {
-        add("derived-newton-rate", "κ", oscillator.newton_rate(), "1/m");
+    for (name, symbol, value) in style.catalogue.derived(record.motion.oscillator(), DIGITS) {
+        table.named(format!("{name} {symbol}").trim_end().to_owned(), value);
     }
     table
 }

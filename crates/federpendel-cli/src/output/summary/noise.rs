@@ -6,9 +6,6 @@ use federpendel::{Outcome, Rest};
 
 use crate::record::Record;
 
-/// Relative error of a time that was itself computed, such as the end of the record.
-const TIME_ERROR: f64 = 16.0 * f64::EPSILON;
-
 /// Below what a value of this record is rounding.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::output) struct Noise {
@@ -24,10 +21,7 @@ impl Noise {
         let motion = &record.motion;
         let length = motion.error_bound(record.duration).map_err(io::Error::other)?;
         let oscillator = motion.oscillator();
-        // What rounding of the time makes of the phase, as a length: no position is that wrong, but a
-        // velocity that should be zero at the end of the record is.
-        let phase =
-            TIME_ERROR * oscillator.angular_frequency() * record.duration * motion.amplitude();
+        let phase = motion.phase_error(record.duration);
         let energy = |length: f64| 0.5 * oscillator.stiffness() * length * length;
         Ok(Self { length, potential: energy(length), kinetic: energy(length + phase), phase })
     }

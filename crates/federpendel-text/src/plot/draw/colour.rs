@@ -1,6 +1,7 @@
 //! Colours by role. They are those of Okabe and Ito, or near them, which people who see fewer colours
 //! tell apart too; dashes and markers say the same once more.
 
+#[cfg(feature = "pictures")]
 use kuva::render::theme::Theme;
 
 use crate::plot::Role;
@@ -21,6 +22,7 @@ pub(super) enum Palette {
     /// They are fixed, for this background.
     Fixed(Background),
     /// They are custom properties of the page that the picture stands in; it has no background of its own.
+    #[cfg(feature = "pictures")]
     Page,
 }
 
@@ -90,11 +92,12 @@ fn look(paint: Paint) -> (String, &'static str, &'static str) {
 
 /// A colour as CSS has it.
 pub(super) fn css(paint: Paint, palette: Palette) -> String {
-    let (name, light, dark) = look(paint);
+    let (_, light, dark) = look(paint);
     match palette {
         Palette::Fixed(Background::Light) => light.to_owned(),
         Palette::Fixed(Background::Dark) => dark.to_owned(),
-        Palette::Page => format!("var(--plot-{name})"),
+        #[cfg(feature = "pictures")]
+        Palette::Page => format!("var(--plot-{})", look(paint).0),
     }
 }
 
@@ -130,6 +133,7 @@ pub fn palette(background: Background) -> String {
 }
 
 /// Colours of axes, texts and the background.
+#[cfg(feature = "pictures")]
 pub(super) fn theme(palette: Palette) -> Theme {
     let theme = match palette {
         Palette::Fixed(Background::Dark) => Theme::dark(),

@@ -6,10 +6,10 @@ use kuva::plot::{BandPlot, LinePlot, ScatterPlot};
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot as Drawn;
 
+use super::Size;
 use super::colour::{self, Paint, Palette};
 use super::legend::{line_style, marker_shape};
 use super::marks;
-use super::scene::Size;
 use crate::plot::clip::clip;
 use crate::plot::thin::thin;
 use crate::plot::{Marker, Plot, Role, Scale, Series, Span, Style, ticks};

@@ -4,16 +4,30 @@
 mod areas;
 mod braille;
 mod colour;
+#[cfg(feature = "pictures")]
 mod compact;
+#[cfg(feature = "png")]
 mod dash;
+#[cfg(feature = "pictures")]
 mod frame;
 mod key;
+#[cfg(feature = "pictures")]
 mod legend;
+#[cfg(feature = "pictures")]
+mod path;
+#[cfg(feature = "pictures")]
 mod scene;
+mod size;
 mod terminal;
 
 pub use colour::{Background, palette};
-pub use scene::{DrawError, Size, inline, png, svg};
+#[cfg(feature = "png")]
+pub use scene::{DrawError, png};
+#[cfg(feature = "pictures")]
+pub use scene::{inline, svg};
+#[cfg(feature = "pictures")]
+use size::LENS_SHARE;
+pub use size::Size;
 pub use terminal::terminal;
 
 use super::{Plot, Role, Series, Span, Style};
@@ -50,4 +64,9 @@ fn marks(series: &Series, number: usize, x: &Span, y: &Span) -> Vec<(f64, f64)> 
     marks.dedup();
     marks.retain(shown);
     marks
+}
+
+#[cfg(feature = "pictures")]
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

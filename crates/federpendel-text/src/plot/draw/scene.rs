@@ -1,5 +1,6 @@
 //! SVG and PNG through kuva, which only this module and those below it know: axes, legend, dashes.
 
+#[cfg(feature = "png")]
 use kuva::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::BandPlot;
@@ -9,50 +10,14 @@ use kuva::render::plots::Plot as Drawn;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 use super::colour::{self, Background, Paint, Palette};
+#[cfg(feature = "png")]
+use super::dash;
 use super::frame::{ADVANCE, Frame, LABEL_SIZE};
-use super::{compact, dash, layers, legend};
+use super::{LENS_SHARE, Size, compact, escape, layers, legend};
 use crate::plot::Plot;
 
-/// Size of a picture in CSS pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Size {
-    /// Width.
-    pub width: f64,
-    /// Height.
-    pub height: f64,
-}
-
-impl Size {
-    /// A size that suits `plot`: one with a lens needs more height.
-    pub fn of(plot: &Plot) -> Self {
-        let size = Size::default();
-        Size {
-            height: if plot.lens.is_some() { WITH_LENS * size.height } else { size.height },
-            ..size
-        }
-    }
-
-    /// A size that suits `plot` as a figure on a page: less wide, so that its texts are still read where a
-    /// narrow screen scales it down, and higher the longer its legend is.
-    pub fn figure(plot: &Plot) -> Self {
-        let named = plot.series.iter().filter(|series| !series.name.is_empty()).count();
-        let legend = FIGURE_LINE * (named + plot.bands.len()).div_ceil(2) as f64;
-        let height = match plot.lens {
-            None => FIGURE.height + legend,
-            // The legend stands below the lens, which has but its share of the height.
-            Some(_) => WITH_LENS * FIGURE.height + legend / LENS_SHARE,
-        };
-        Size { height: height.round(), ..FIGURE }
-    }
-}
-
-impl Default for Size {
-    fn default() -> Self {
-        Size { width: 800.0, height: 500.0 }
-    }
-}
-
 /// A picture that could not be drawn.
+#[cfg(feature = "png")]
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct DrawError(String);
@@ -61,15 +26,8 @@ pub struct DrawError(String);
 const MARKER_ROOM: f64 = 9.0;
 /// Where the name of the vertical axis begins, px.
 const LABEL_LEFT: f64 = 12.0;
-/// A figure on a page without its legend, and the height of a line of the legend, px.
-const FIGURE: Size = Size { width: 560.0, height: 340.0 };
-const FIGURE_LINE: f64 = 18.0;
-/// How much higher a plot with a lens is.
-const WITH_LENS: f64 = 1.6;
 /// Up to how many times its size a drawing on a page is enlarged.
 const ENLARGED: f64 = 1.3;
-/// Share of the height that a lens takes, which carries the legend too.
-const LENS_SHARE: f64 = 0.52;
 
 /// `plot` as an SVG document with its title and description for screen readers.
 pub fn svg(plot: &Plot, size: Size, background: Background) -> String {
@@ -125,6 +83,7 @@ fn element(
 ///
 /// # Errors
 /// [`DrawError`] if the picture is too large to be made.
+#[cfg(feature = "png")]
 pub fn png(
     plot: &Plot,
     size: Size,
@@ -239,8 +198,4 @@ fn name_vertical_axis(scene: &mut Scene, label: &str) {
             return;
         }
     }
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

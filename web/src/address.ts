@@ -1,0 +1,70 @@
+// The end of the address: the experiment as the engine writes it, and behind it how the page shows it. Names that are not
+// known are passed over, so that old links open in new pages, and new ones in old pages.
+
+import { type Engine, type Experiment, isRefusal } from "./engine";
+import { type App, type Change, PLOTS, type State } from "./state";
+
+/** How long the address waits for the next change, ms: browsers refuse to write it at every move of a slider. */
+const DELAY = 250;
+
+const LINKED: (keyof State)[] = ["experiment", "time", "playing", "speed", "arrows", "plots", "lens"];
+
+/** Keeps the address up to date, but for the time while it runs. */
+export function keepAddress(app: App): void {
+  let waiting = 0;
+  app.always((changed) => {
+    if (app.state.playing || !LINKED.some((name) => changed.has(name))) return;
+    clearTimeout(waiting);
+    waiting = setTimeout(() => history.replaceState(null, "", link(app)), DELAY);
+  });
+}
+
+/** What is not as it is to begin with is written. */
+export function link({ engine, state }: App): string {
+  const { time, speed, arrows, plots, lens } = state;
+  const view = [
+    time > 0 && `time=${time}`, speed !== 1 && `speed=${speed}`, !arrows && "forces=no",
+    plots.length < PLOTS.length && `plots=${plots.join("+")}`,
+    lens.open && `method=${lens.method}`, lens.open && lens.step !== null && `step=${lens.step}`,
+  ];
+  return `#${[engine.encode(state.experiment), ...view.filter(Boolean)].join(";")}`;
+}
+
+/** Some programs that pass links on write signs as %2B. */
+function unescaped(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+const address = () => unescaped(location.hash.slice(1));
+
+/** The experiment of the address, if there is one and it can be. */
+export function experimentOfAddress(engine: Engine): Experiment | null {
+  const experiment = engine.decode(address());
+  if (!experiment) return null;
+  const solution = engine.solve(experiment, "en");
+  if (isRefusal(solution)) return null;
+  solution.free();
+  return experiment;
+}
+
+/** How the address shows that experiment. */
+export function viewOfAddress(engine: Engine, { duration }: Experiment): Change {
+  const given = new Map(address().split(";").map((part) => part.split("=", 2) as [string, string]));
+  const positive = (name: string): number | null => {
+    const value = Number(given.get(name));
+    return value > 0 && Number.isFinite(value) ? value : null;
+  };
+  const shown = given.get("plots")?.split(/[+ ]/);
+  const method = engine.methods("en").find(({ id }) => id === given.get("method"))?.id;
+  return {
+    time: Math.min(positive("time") ?? 0, duration),
+    speed: positive("speed") ?? 1,
+    arrows: given.get("forces") !== "no",
+    ...(shown && { plots: PLOTS.filter((name) => shown.includes(name)) }),
+    ...(method && { lens: { method, step: positive("step"), open: true } }),
+  };
+}
