@@ -47,7 +47,7 @@ describe('dropping', { concurrency: 2 }, () => {
       assert.equal(await named(page), 'broken.csv');
       assert.equal(await page.locator('.verdict').count(), 0);
       await drop(page, 'broken.zip', Buffer.from('PK\x03\x04 broken'));
-      await page.waitForFunction(() => /broken\.zip.*damaged/.test(document.querySelector('.recording > .wrong').textContent));
+      await page.waitForFunction(() => /broken\.zip.*cannot be opened/.test(document.querySelector('.recording > .wrong').textContent));
       assert.doesNotMatch(await page.textContent('.recording > .wrong'), /EOCD|--/);
       await page.fill('#field-mass', '0.6');
       assert.notEqual(await page.textContent('.summary'), '');
