@@ -19,8 +19,11 @@ export function keepAddress(app: App): void {
   });
 }
 
+/** The whole address that leads here. */
+export const address = (app: App) => location.href.split("#")[0] + link(app);
+
 /** What is not as it is to begin with is written. */
-export function link({ engine, state }: App): string {
+function link({ engine, state }: App): string {
   const { time, speed, arrows, plots, lens } = state;
   const view = [
     time > 0 && `time=${time}`, speed !== 1 && `speed=${speed}`, !arrows && "forces=no",
@@ -39,11 +42,11 @@ function unescaped(text: string): string {
   }
 }
 
-const address = () => unescaped(location.hash.slice(1));
+const given = () => unescaped(location.hash.slice(1));
 
 /** The experiment of the address, if there is one and it can be. */
 export function experimentOfAddress(engine: Engine): Experiment | null {
-  const experiment = engine.decode(address());
+  const experiment = engine.decode(given());
   if (!experiment) return null;
   const solution = engine.solve(experiment, "en");
   if (isRefusal(solution)) return null;
@@ -53,17 +56,17 @@ export function experimentOfAddress(engine: Engine): Experiment | null {
 
 /** How the address shows that experiment. */
 export function viewOfAddress(engine: Engine, { duration }: Experiment): Change {
-  const given = new Map(address().split(";").map((part) => part.split("=", 2) as [string, string]));
+  const parts = new Map(given().split(";").map((part) => part.split("=", 2) as [string, string]));
   const positive = (name: string): number | null => {
-    const value = Number(given.get(name));
+    const value = Number(parts.get(name));
     return value > 0 && Number.isFinite(value) ? value : null;
   };
-  const shown = given.get("plots")?.split(/[+ ]/);
-  const method = engine.methods("en").find(({ id }) => id === given.get("method"))?.id;
+  const shown = parts.get("plots")?.split(/[+ ]/);
+  const method = engine.methods("en").find(({ id }) => id === parts.get("method"))?.id;
   return {
     time: Math.min(positive("time") ?? 0, duration),
     speed: positive("speed") ?? 1,
-    arrows: given.get("forces") !== "no",
+    arrows: parts.get("forces") !== "no",
     ...(shown && { plots: PLOTS.filter((name) => shown.includes(name)) }),
     ...(method && { lens: { method, step: positive("step"), open: true } }),
   };

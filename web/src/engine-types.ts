@@ -52,7 +52,6 @@ export interface Preset {
 
 export interface Summary {
   kind: string;
-  regime: string;
   rests: { time: number; position: number; swings: number } | null;
   angularFrequency: number;
   /** Name, symbol and value of what follows from mass, spring and friction. */
@@ -60,7 +59,7 @@ export interface Summary {
   offset: number;
   amplitude: number;
   /** Half its width. */
-  stickingBand: number;
+  stickingOffset: number;
   /** Of the release. */
   energy: number;
   suggestedDuration: number;

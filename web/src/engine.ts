@@ -82,8 +82,8 @@ function points(numbers: Float64Array) {
 function solution(inner: wasm.Solution): Solution {
   return {
     summary: JSON.parse(inner.summary()) as Summary,
-    samples: remembered((from, to, count) => series(inner.samples(from, to, count))),
-    course: remembered((from, to, count) => series(inner.course(from, to, count))),
+    samples: (from, to, count) => series(inner.samples(from, to, count)),
+    course: (from, to, count) => series(inner.course(from, to, count)),
     orbit: (count) => series(inner.orbit(count)),
     envelope: (count) => points(inner.envelope(count)),
     at(time) {

@@ -97,8 +97,8 @@ impl Experiment {
         Ok(self.value("mass") * parameter::GRAVITY.check(self.value("gravity"))?)
     }
 
-    /// The damping that lets the mass creep home fastest, 2√(mC) (article eq. 36 with one root), kg/s.
+    /// The damping that lets the mass creep home fastest, kg/s.
     pub fn critical_damping(&self) -> f64 {
-        2.0 * (self.value("mass") * self.value("stiffness")).sqrt()
+        Stokes::critical_damping(self.value("mass"), self.value("stiffness"))
     }
 }

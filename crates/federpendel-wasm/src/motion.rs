@@ -29,8 +29,6 @@ pub struct Solution {
 pub struct Summary {
     /// How it is known, in words.
     pub kind: String,
-    /// How strongly Stokes friction damps, in words.
-    pub regime: String,
     /// Where and when the mass comes to rest, if it does.
     pub rests: Option<Rests>,
     /// ω0, 1/s.
@@ -40,7 +38,7 @@ pub struct Summary {
     /// The offset of dry friction f, m.
     pub offset: f64,
     /// Half the width of the sticking band, m.
-    pub sticking_band: f64,
+    pub sticking_offset: f64,
     /// The larger of |x0| and |v0|/ω0, m.
     pub amplitude: f64,
     /// The energy of the release, J.
@@ -122,12 +120,11 @@ impl Solution {
         };
         Summary {
             kind: catalogue.kind(self.motion.kind()),
-            regime: catalogue.regime(oscillator.regime()),
             rests,
             angular_frequency: oscillator.angular_frequency(),
             derived: catalogue.derived(oscillator, DIGITS),
             offset: oscillator.offset(),
-            sticking_band: oscillator.sticking_offset(),
+            sticking_offset: oscillator.sticking_offset(),
             amplitude: self.motion.amplitude(),
             energy: self.motion.initial_energy(),
             suggested_duration: self.motion.default_duration(),

@@ -20,6 +20,11 @@ impl Stokes {
         Ok(Self { damping: parameter::DAMPING.check(damping)? })
     }
 
+    /// The damping D at which γ = ω0, 2√(mC) (article eq. 36 with one root), kg/s; not finite where m C is not.
+    pub fn critical_damping(mass: f64, stiffness: f64) -> f64 {
+        2.0 * (mass * stiffness).sqrt()
+    }
+
     /// Damping D, kg/s.
     pub fn damping(&self) -> f64 {
         self.damping

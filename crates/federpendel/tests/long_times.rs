@@ -41,6 +41,16 @@ fn what_swings_for_ever_is_lost() {
 }
 
 #[test]
+fn what_nothing_slows_keeps_its_amplitude() {
+    assert_eq!(motion(federpendel::Friction::NONE).outcome(), Outcome::Swings);
+    for motion in [motion(Stokes::new(0.1).unwrap()), motion(Newton::new(0.3).unwrap())] {
+        assert_eq!(motion.outcome(), Outcome::Decays);
+        let amplitude = |n| motion.turning_points().nth(n).unwrap().position.abs();
+        assert!(amplitude(40) < 0.9 * amplitude(0));
+    }
+}
+
+#[test]
 fn drag_with_damping_ends_in_the_closed_form() {
     let friction = federpendel::Friction {
         stokes: Some(Stokes::new(50.0).unwrap()),

@@ -58,7 +58,7 @@ export function motion(app: App, from: number, to: number, others: Ghost[]): Fig
   if (points.t.length > 0 && points.t.length <= MOST_POINTS) {
     curves.push({ label: app.say("plot-turning-points"), paint: "points", style: "points", x: points.t, y: points.x });
   }
-  const half = summary.stickingBand;
+  const half = summary.stickingOffset;
   return {
     name: fileName(app, app.say("page-show-motion")), title: app.say("page-plot-motion"), description: summary.sentence,
     x: axes(app).time, y: axes(app).position, curves, ...(summary.amplitude === 0 && others.length === 0 ? still(app) : {}),

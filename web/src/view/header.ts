@@ -2,7 +2,7 @@
 
 import type { Language } from "../engine";
 import type { App, Theme } from "../state";
-import { link } from "../address";
+import { address } from "../address";
 import { h } from "./dom";
 import { publish } from "./palette";
 
@@ -35,10 +35,10 @@ export function notice(app: App, sentence: string): void {
 }
 
 async function copyLink(app: App): Promise<void> {
-  const address = location.href.split("#")[0] + link(app);
-  history.replaceState(null, "", address);
+  const here = address(app);
+  history.replaceState(null, "", here);
   try {
-    await navigator.clipboard.writeText(address);
+    await navigator.clipboard.writeText(here);
     notice(app, app.say(location.protocol === "file:" ? "page-link-of-file" : "page-link-copied"));
   } catch {
     // Some browsers let no page from a disk write there.

@@ -1,6 +1,7 @@
 // What stands on paper in place of the controls: every value, and how the motion ends.
 
 import type { App } from "../state";
+import { address } from "../address";
 import { h } from "./dom";
 import { matters } from "./matters";
 import { symbol as signOf } from "./symbol";
@@ -23,7 +24,7 @@ export function printed(app: App): HTMLElement {
         ...used.map(({ name, label, symbol, unit, value }) =>
           row([`${label} `, signOf(symbol)], app.quantity(experiment.values[name] ?? value, unit, DIGITS)))),
       h("p", {}, solution.summary.sentence),
-      h("p", { class: "source" }, `${new Date().toLocaleDateString(app.state.language, { dateStyle: "long" })}, ${location.href.split("#")[0]}#${app.engine.encode(experiment)}`));
+      h("p", { class: "source" }, `${new Date().toLocaleDateString(app.state.language, { dateStyle: "long" })}, ${address(app)}`));
   }
   app.on((changed) => changed.has("colours") && show());
   show();

@@ -241,7 +241,7 @@ fn built_in(coefficient: f64, whole: f64, share: f64) -> f64 {
 
 /// The damping D at which γ = ω0, kg/s.
 fn critical_damping(oscillator: &Oscillator) -> f64 {
-    2.0 * (oscillator.mass() * oscillator.stiffness()).sqrt()
+    Stokes::critical_damping(oscillator.mass(), oscillator.stiffness())
 }
 
 /// A number rounded to its leading digit.

@@ -53,8 +53,8 @@ const sign = (name: string) =>
 
 /** What the mark on the guide means. */
 function sticking(app: App): HTMLElement[] {
-  const { experiment: { laws }, solution: { summary: { stickingBand } } } = app.state;
-  if (!laws.coulomb || !(stickingBand > 0)) return [];
+  const { experiment: { laws }, solution: { summary: { stickingOffset } } } = app.state;
+  if (!laws.coulomb || !(stickingOffset > 0)) return [];
   const mark = s("svg", { viewBox: "0 0 34 10", "aria-hidden": "true" }, s("rect", { x: 4, y: 1, width: 26, height: 8, class: "sticking" }));
-  return [h("li", {}, mark, app.say("plot-sticking-band", { offset: app.quantity(stickingBand, "m") }))];
+  return [h("li", {}, mark, app.say("plot-sticking-band", { offset: app.quantity(stickingOffset, "m") }))];
 }

@@ -83,9 +83,9 @@ export function scene(app: App): HTMLElement {
 
 /** What does not move. */
 function ground(app: App, at: Layout): SVGElement[] {
-  const { experiment, solution: { summary: { stickingBand } } } = app.state;
-  const sticks = experiment.laws.coulomb && stickingBand > 0;
-  return [...medium(app, at), ...fixed(app, at), ...(sticks ? [band(at, stickingBand)] : [])];
+  const { experiment, solution: { summary: { stickingOffset } } } = app.state;
+  const sticks = experiment.laws.coulomb && stickingOffset > 0;
+  return [...medium(app, at), ...fixed(app, at), ...(sticks ? [band(at, stickingOffset)] : [])];
 }
 
 /** Those that act, each in the next row; a pixel is so many newtons. */
