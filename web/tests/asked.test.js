@@ -62,6 +62,19 @@ describe('asked', { concurrency: 2 }, () => {
       assert.match(await page.textContent('#asked-mass-hint'), /250 kg/);
     }));
 
+  test('a fit that ends while one types leaves what is typed', { timeout: 180_000 }, () =>
+    open(browser, async (page) => {
+      await page.setInputFiles('#file', file('vernier.csv'));
+      await fitted(page);
+      await unfold(page);
+      await write(page, 'from', '1');
+      await page.fill('#asked-from', '');
+      await page.waitForSelector('.working', { state: 'hidden', timeout: 120_000 });
+      assert.equal(await page.inputValue('#asked-from'), '');
+      await page.press('#asked-from', 'Enter');
+      await page.getByRole('button', { name: 'Find beginning and end again' }).waitFor({ state: 'hidden', timeout: 120_000 });
+    }));
+
   test('a part is fitted as it is shown, and the whole again', { timeout: 180_000 }, () =>
     open(browser, async (page) => {
       await page.setInputFiles('#file', file('vernier.csv'));

@@ -8,6 +8,8 @@ import { h } from "./dom";
 interface Field {
   element: HTMLElement;
   control: HTMLInputElement | HTMLSelectElement;
+  /** Shows the answer, unless another is being typed: a fit that ends meanwhile must not take it away. */
+  show(value: string): void;
   /** What is wrong, or else what is assumed. */
   say(refusal: string, remark: string): void;
 }
@@ -18,11 +20,20 @@ function field(app: App, name: string, label: string, control: HTMLInputElement 
   const hint = h("p", { id: `${id}-hint`, class: "hint", hidden: true });
   control.id = id;
   control.setAttribute("aria-describedby", `${id}-wrong ${id}-hint`);
-  control.addEventListener("change", () => answer(app, { ...app.state.asked, [name]: control.value }));
+  let typing = false;
+  control.addEventListener("input", () => (typing = control instanceof HTMLInputElement));
+  control.addEventListener("change", () => {
+    typing = false;
+    answer(app, { ...app.state.asked, [name]: control.value });
+  });
+  control.addEventListener("blur", () => (typing = false));
   const shown = unit ? h("span", { class: "number" }, control, h("span", { class: "unit" }, unit)) : control;
   return {
     control,
     element: h("div", { class: "field" }, h("label", { for: id }, label), shown, wrong, hint),
+    show(value) {
+      if (!typing) control.value = value;
+    },
     say(refusal, remark) {
       wrong.textContent = refusal;
       wrong.hidden = refusal === "";
@@ -86,11 +97,11 @@ export function askedFold(app: App): HTMLElement {
     const checked = app.engine.checkAsked(asked, language);
     const refusal: Refusal | null = isRefusal(checked) ? checked : (recording?.refusal ?? null);
     if (refusal?.offers?.length) offers[refusal.field] = refusal.offers;
-    for (const [name, { element, control, say }] of all) {
+    for (const [name, { element, control, show, say }] of all) {
       if (control instanceof HTMLSelectElement && name !== "support") {
         control.replaceChildren(...[{ value: "", label: app.say("page-as-found") }, ...(offers[name] ?? [])].map(option));
       }
-      if (document.activeElement !== control || control.value === "") control.value = asked[name] ?? "";
+      show(asked[name] ?? "");
       say(refusal?.field === name ? refusal.message : "", isRefusal(checked) ? "" : (checked.remarks[name] ?? ""));
       element.hidden = (name === "table" && !offers.table) || (name === "normal_force" && asked.support !== "force");
     }
