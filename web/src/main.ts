@@ -116,8 +116,10 @@ async function start(): Promise<void> {
   if (location.hash.length > 1 && !linked) broken();
   addEventListener("hashchange", () => {
     const draft = experimentOfAddress(engine);
-    if (draft) app.update({ draft, playing: false, ...viewOfAddress(engine, draft) });
-    else if (location.hash.length > 1) broken();
+    if (draft) {
+      notice(app, "");
+      app.update({ draft, playing: false, ...viewOfAddress(engine, draft) });
+    } else if (location.hash.length > 1) broken();
   });
   addEventListener("keydown", (event) => {
     if (event.key !== " " || event.target !== document.body) return;

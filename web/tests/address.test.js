@@ -53,6 +53,14 @@ describe('address', { concurrency: 2 }, () => {
       open(browser, async (page) => assert.match(await notice(page), /no experiment that this page can read/), {}, wrong));
   }
 
+  test('what is said of a broken address goes with it', () =>
+    open(browser, async (page) => {
+      assert.match(await notice(page), /no experiment/);
+      await page.evaluate(() => (location.hash = '#1;mass=3'));
+      await page.waitForFunction(() => document.querySelector('#field-mass').value === '3');
+      assert.equal(await notice(page), '');
+    }, {}, '#2;x'));
+
   test('a moment and an age are shown, or refused, at once', { timeout: 60_000 }, async () => {
     for (const duration of ['3e-9', '1e-12', '1e9']) {
       for (const laws of ['coulomb', 'stokes', 'newton', 'none']) {

@@ -68,6 +68,34 @@ describe('plots', { concurrency: 2 }, () => {
       }
     }));
 
+  test('a kept motion that cannot be shown so long stays as it was', () =>
+    open(browser, async (page) => {
+      const set = async (name, words) => {
+        await page.fill(`#field-${name}`, words);
+        await page.press(`#field-${name}`, 'Enter');
+      };
+      await set('duration', '1');
+      await set('mass', '0.001');
+      await set('stiffness', '1000');
+      await page.uncheck('#law-coulomb');
+      await page.check('#law-newton');
+      await set('density', '0.1');
+      await page.getByRole('button', { name: 'Keep this curve' }).click();
+      await page.uncheck('#law-newton');
+      await set('duration', '1000');
+      await set('mass', '1');
+      await set('stiffness', '20');
+      assert.match(await page.inputValue('#field-stiffness'), /^20$/);
+    }));
+
+  test('however far a plot is enlarged, neighbouring ticks differ', () =>
+    open(browser, async (page) => {
+      for (let k = 0; k < 10; k++) await page.locator('.plot-section .plot').nth(3).getByRole('button', { name: 'Zoom in' }).click();
+      const { bytes } = await save(page, 3, 'SVG');
+      const labels = [...bytes.toString().matchAll(/<text[^>]*>([^<]*10[⁻⁰-⁹¹²³]+)</g)].map(([, label]) => label);
+      assert.equal(new Set(labels).size, labels.length, labels.join('; '));
+    }));
+
   test('up to three curves are kept, named by what differs, and can be removed', () =>
     open(browser, async (page) => {
       const keep = page.getByRole('button', { name: 'Keep this curve' });

@@ -3,7 +3,7 @@
 import { type Asked, isRefusal, type Offer, type Refusal } from "../engine";
 import { fit } from "../fit/session";
 import type { App } from "../state";
-import { h } from "./dom";
+import { h, refuse } from "./dom";
 
 interface Field {
   element: HTMLElement;
@@ -35,12 +35,9 @@ function field(app: App, name: string, label: string, control: HTMLInputElement 
       if (!typing) control.value = value;
     },
     say(refusal, remark) {
-      wrong.textContent = refusal;
-      wrong.hidden = refusal === "";
+      refuse(control, wrong, refusal);
       hint.textContent = remark;
       hint.hidden = remark === "";
-      if (refusal) control.setAttribute("aria-invalid", "true");
-      else control.removeAttribute("aria-invalid");
     },
   };
 }

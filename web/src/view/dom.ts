@@ -41,6 +41,14 @@ export function set(element: Element, attributes: Record<string, string | number
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
 }
 
+/** Says at a control what is wrong with it, or nothing. */
+export function refuse(control: HTMLElement, place: HTMLElement, message: string): void {
+  place.textContent = message;
+  place.hidden = message === "";
+  if (message === "") control.removeAttribute("aria-invalid");
+  else control.setAttribute("aria-invalid", "true");
+}
+
 /** Hands a file to the reader. */
 export function download(name: string, content: Blob): void {
   const address = URL.createObjectURL(content);

@@ -2,7 +2,7 @@
 
 import { isRefusal, type Parameter } from "../engine";
 import type { App } from "../state";
-import { h } from "./dom";
+import { h, refuse } from "./dom";
 import { symbol as signOf, unitText } from "./symbol";
 
 export interface Field {
@@ -44,12 +44,7 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
   let waiting = 0;
   const wrong = h("p", { id: `${id}-wrong`, class: "wrong", hidden: true });
 
-  function refuse(message: string): void {
-    wrong.textContent = message;
-    wrong.hidden = message === "";
-    if (message === "") number.removeAttribute("aria-invalid");
-    else number.setAttribute("aria-invalid", "true");
-  }
+  const say = (message: string) => refuse(number, wrong, message);
   const written = (value: number) => app.engine.number(app.state.language, value, DIGITS);
   function place(value: number): void {
     const step = onScale(slider, value);
@@ -58,8 +53,8 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
   }
   number.addEventListener("input", () => {
     const read = app.engine.parse(app.state.language, number.value, name);
-    if (isRefusal(read)) return refuse(read.message);
-    refuse("");
+    if (isRefusal(read)) return say(read.message);
+    say("");
     given = read.value;
     change(read.value);
   });
@@ -67,8 +62,15 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
     if (!number.hasAttribute("aria-invalid")) number.value = written(current);
   });
   range.addEventListener("input", () => {
-    refuse("");
-    const value = fromScale(slider, Number(range.value));
+    give(fromScale(slider, Number(range.value)));
+  });
+  // A thumb that came down here to scroll has moved nothing.
+  let before = NaN;
+  range.addEventListener("pointerdown", () => (before = current));
+  range.addEventListener("pointercancel", () => give(before));
+
+  function give(value: number): void {
+    say("");
     number.value = written(value);
     given = value;
     // A slider moves more often than a screen shows.
@@ -76,7 +78,7 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
       waiting = 0;
       change(given);
     });
-  });
+  }
 
   return {
     element: h("div", { class: "field" },
@@ -86,14 +88,14 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
       const elsewhere = value !== current && value !== given;
       current = value;
       place(value);
-      if (elsewhere) refuse("");
+      if (elsewhere) say("");
       const typing = document.activeElement === number || number.hasAttribute("aria-invalid");
       if (elsewhere || !typing) number.value = written(value);
     },
     forget() {
-      refuse("");
+      say("");
       number.value = written(current);
     },
-    refuse,
+    refuse: say,
   };
 }

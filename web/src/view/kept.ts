@@ -26,9 +26,10 @@ function solve(app: App, experiment: Experiment): { solution: Solution; duration
   const duration = Math.max(experiment.duration, app.state.experiment.duration);
   const known = solved.get(experiment);
   if (known?.duration === duration) return known;
-  known?.solution.free();
   const solution = app.engine.solve({ ...experiment, duration }, app.state.language);
-  if (isRefusal(solution)) return null;
+  // So long it swings too often: it stays as long as it was.
+  if (isRefusal(solution)) return known ?? null;
+  known?.solution.free();
   const found = { solution, duration };
   solved.set(experiment, found);
   return found;

@@ -2,7 +2,7 @@
 
 import { isRefusal } from "../engine";
 import type { App } from "../state";
-import { h } from "./dom";
+import { h, refuse } from "./dom";
 import { axes, fileName } from "./figures";
 import type { Figure } from "./plot/figure";
 import { plot } from "./plot/plot";
@@ -34,12 +34,6 @@ export function lens(app: App): HTMLElement {
     h("div", { class: "row" }, h("div", { class: "field" }, h("label", { for: "method" }, app.say("page-method")), select), stepRow, program),
     sentences, figures);
 
-  const refuse = (message: string) => {
-    wrong.textContent = message;
-    wrong.hidden = message === "";
-    step.toggleAttribute("aria-invalid", false);
-    if (message !== "") step.setAttribute("aria-invalid", "true");
-  };
   let waiting = 0;
   function show(): void {
     clearTimeout(waiting);
@@ -54,11 +48,11 @@ export function lens(app: App): HTMLElement {
     const result = app.state.solution.compare(app.state.lens.method, length, COUNT);
     figures.hidden = isRefusal(result);
     if (isRefusal(result)) {
-      if (method?.needsStep) refuse(result.message);
+      if (method?.needsStep) refuse(step, wrong, result.message);
       sentences.replaceChildren(...(method?.needsStep ? [] : [h("li", {}, result.message)]));
       return;
     }
-    refuse("");
+    refuse(step, wrong, "");
     sentences.replaceChildren(...result.sentences.map((words) => h("li", {}, words)));
     const label = method?.label ?? "";
     course.show(besideFigure(app, label, result));
@@ -67,8 +61,8 @@ export function lens(app: App): HTMLElement {
   select.addEventListener("change", () => app.update({ lens: { ...app.state.lens, method: select.value } }));
   step.addEventListener("input", () => {
     const read = engine.parse(app.state.language, step.value, "dt");
-    if (isRefusal(read)) return refuse(read.message);
-    refuse("");
+    if (isRefusal(read)) return refuse(step, wrong, read.message);
+    refuse(step, wrong, "");
     app.update({ lens: { ...app.state.lens, step: read.value } });
   });
   open.addEventListener("toggle", () => {

@@ -26,10 +26,11 @@ export function plots(app: App): HTMLElement {
   });
   // Once the page is laid out, its parts have sizes.
   requestAnimationFrame(draw);
+  const touched = matchMedia("(pointer: coarse)").matches;
   return h("section", { class: "plot-section", "aria-labelledby": "plots-title" },
     h("h2", { id: "plots-title" }, app.say("page-plots")),
     h("div", { class: "shown", role: "group", "aria-label": app.say("page-plots-shown") }, ...switches(app, all)),
-    keeper(app), h("p", { class: "hint" }, app.say("page-plot-hint")),
+    keeper(app), h("p", { class: "hint" }, app.say(touched ? "page-plot-hint-touch" : "page-plot-hint")),
     h("div", { class: "plots" }, ...PLOTS.map((name) => all[name].element)));
 }
 

@@ -17,6 +17,10 @@ export function transport(app: App): HTMLElement {
   const play = h("button", { type: "button", class: "play", click: () => toggle(app) });
   const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": app.say("page-time") });
   slider.addEventListener("input", () => app.update({ playing: false, time: (Number(slider.value) / STEPS) * app.state.experiment.duration }));
+  // A thumb that came down here to scroll has moved nothing.
+  let before = 0;
+  slider.addEventListener("pointerdown", () => (before = app.state.time));
+  slider.addEventListener("pointercancel", () => app.update({ time: before }));
   const button = (id: string, sign: string, act: () => void) =>
     h("button", { type: "button", "aria-label": id, title: id, click: act }, sign);
   const now = readout(app);

@@ -74,6 +74,7 @@ page-plot-no-swings = Keine Halbschwingung: Die Masse kehrt nicht zweimal um
 page-plot-still = Die Masse bewegt sich nicht
 page-plot-keys = Plus und Minus vergrößern und verkleinern, die Pfeiltasten verschieben, 0 zeigt alles.
 page-plot-hint = Ziehen vergrößert einen Ausschnitt, mit der Umschalttaste verschiebt es; zwei Finger oder Strg und Mausrad vergrößern; ein Doppelklick zeigt alles.
+page-plot-hint-touch = Ein Finger verschiebt den Ausschnitt, zwei vergrößern ihn; zweimal Tippen zeigt alles.
 page-zoom-in = Vergrößern
 page-zoom-out = Verkleinern
 page-zoom-all = Alles zeigen

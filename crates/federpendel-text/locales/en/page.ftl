@@ -74,6 +74,7 @@ page-plot-no-swings = No swing: the mass does not turn round twice
 page-plot-still = The mass does not move
 page-plot-keys = Plus and minus zoom, arrow keys move the picture, 0 shows all.
 page-plot-hint = Drag to enlarge a part, with Shift to move it; two fingers or Ctrl and the wheel zoom; a double click shows all.
+page-plot-hint-touch = One finger moves the picture, two enlarge it; a double tap shows all.
 page-zoom-in = Zoom in
 page-zoom-out = Zoom out
 page-zoom-all = Show all

@@ -113,7 +113,8 @@ function drag(area: HTMLElement, hands: Hands): () => void {
 /** Two fingers; the first of them gives up what it has begun. */
 function pinch(area: HTMLElement, hands: Hands, giveUp: () => void): void {
   const fingers = new Map<number, PointerEvent>();
-  let start: { apart: number; extent: Extent; x: number; y: number } | null = null;
+  let start: { apart: number; extent: Extent; frame: Frame; middle: { x: number; y: number } } | null = null;
+  const middle = ([a, b]: PointerEvent[]) => ({ x: (a!.offsetX + b!.offsetX) / 2, y: (a!.offsetY + b!.offsetY) / 2 });
   const apart = ([a, b]: PointerEvent[]) => Math.hypot(a!.offsetX - b!.offsetX, a!.offsetY - b!.offsetY);
   const lift = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
@@ -126,15 +127,21 @@ function pinch(area: HTMLElement, hands: Hands, giveUp: () => void): void {
     if (fingers.size !== 2) return;
     giveUp();
     const both = [...fingers.values()];
-    const middle = (of: (it: PointerEvent) => number) => both.reduce((sum, it) => sum + of(it) / 2, 0);
-    start = { apart: apart(both), extent: hands.shown(), x: fromX(frame, middle((it) => it.offsetX)), y: fromY(frame, middle((it) => it.offsetY)) };
+    start = { apart: apart(both), extent: hands.shown(), frame, middle: middle(both) };
   });
   area.addEventListener("pointermove", (event) => {
     if (!fingers.has(event.pointerId)) return;
     fingers.set(event.pointerId, event);
     if (!start) return;
-    const factor = start.apart / Math.max(STILL, apart([...fingers.values()]));
-    hands.zoom(zoomed(start.extent, factor, hands.both(), start.x, start.y));
+    const both = [...fingers.values()];
+    const factor = start.apart / Math.max(STILL, apart(both));
+    // What was between the fingers stays there.
+    const { frame, middle: from } = start;
+    const to = middle(both);
+    const [x, y] = [fromX(frame, from.x), fromY(frame, from.y)];
+    const large = zoomed(start.extent, factor, hands.both(), x, y);
+    const scale = hands.both() ? factor : 1;
+    hands.zoom({ x: shifted(large.x, (x - fromX(frame, to.x)) * factor), y: shifted(large.y, (y - fromY(frame, to.y)) * scale) });
   });
   for (const end of ["pointerup", "pointercancel"] as const) area.addEventListener(end, lift);
 }

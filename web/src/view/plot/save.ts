@@ -37,6 +37,13 @@ export function saveMenu(
       item(app.say("page-csv-german"), (now) => saveTable(now, true)),
     ),
   );
+  const elsewhere = ({ target }: Event) => {
+    if (!menu.contains(target as Node)) menu.open = false;
+  };
+  menu.addEventListener("toggle", () => {
+    if (menu.open) document.addEventListener("pointerdown", elsewhere);
+    else document.removeEventListener("pointerdown", elsewhere);
+  });
   menu.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     menu.open = false;

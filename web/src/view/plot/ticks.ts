@@ -8,12 +8,13 @@ export interface Tick {
 /** Making one takes longer than using it a thousand times. */
 const formats = new Map<string, Intl.NumberFormat>();
 
+/** Of a number with `decimals` decimals, those of its mantissa where it is scientific. */
 export function formatOf(language: string, decimals: number, scientific: boolean): Intl.NumberFormat {
-  const key = `${language} ${scientific ? "e" : decimals}`;
+  const key = `${language} ${scientific ? "e" : ""}${decimals}`;
   const known = formats.get(key);
   if (known) return known;
   const made = new Intl.NumberFormat(language, scientific
-    ? { notation: "scientific", maximumFractionDigits: 2 }
+    ? { notation: "scientific", maximumFractionDigits: decimals }
     : { minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: false });
   formats.set(key, made);
   return made;
@@ -32,7 +33,9 @@ export function ticks([from, to]: [number, number], count: number, language: str
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const most = Math.max(Math.abs(from), Math.abs(to));
   const scientific = decimals > 5 || most >= 1e6;
-  const format = formatOf(language, decimals, scientific);
+  // As many digits as tell neighbours apart.
+  const digits = Math.min(20, Math.max(0, Math.ceil(Math.log10(most / step) - 1e-9)));
+  const format = formatOf(language, scientific ? digits : Math.min(20, decimals), scientific);
   const first = Math.ceil(from / step - 1e-9);
   // Beyond 2^53 counting up changes nothing: such a range has no round numbers of its own.
   const many = Math.floor(to / step + 1e-9) - first + 1;

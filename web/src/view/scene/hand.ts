@@ -102,6 +102,8 @@ export function hand(app: App, mass: SVGElement, scene: SVGSVGElement, stage: St
     if (Math.abs(pace) > THROW) app.tune({ velocity: rounded((pace / stage.layout().scale) * app.state.speed) });
     letGo(app);
   }
+  // WebKit selects the page's text from here on.
+  mass.addEventListener("selectstart", (event) => event.preventDefault());
   mass.addEventListener("pointerdown", take);
   mass.addEventListener("pointermove", move);
   mass.addEventListener("pointerup", drop);

@@ -20,6 +20,7 @@ const COARSE = 4;
 const FALLBACK = 0.1;
 /** Height of letters for which the scene is laid out, pixels; with larger ones all of it grows. */
 const LETTERS = 16;
+const magnification = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / LETTERS;
 
 export function scene(app: App): HTMLElement {
   const back = s("g", {});
@@ -31,7 +32,7 @@ export function scene(app: App): HTMLElement {
   const legend = key(app);
   const scale = { range: 0, force: 0 };
   let size: Size = { width: 800, height: 400 };
-  let letters = 1;
+  let letters = magnification();
   let at: Layout = layout(app.state, size, FALLBACK);
 
   /** What one compares keeps its scale until it no longer fits. The hand alone changes it while it holds the mass. */
@@ -72,7 +73,7 @@ export function scene(app: App): HTMLElement {
   });
   new ResizeObserver(() => {
     if (frame.clientWidth === 0) return;
-    letters = parseFloat(getComputedStyle(document.documentElement).fontSize) / LETTERS;
+    letters = magnification();
     size = { width: frame.clientWidth / letters, height: frame.clientHeight / letters };
     scale.force = 0;
     rebuild(Infinity);
