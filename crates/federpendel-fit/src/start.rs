@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::Quantity;
 use crate::extremes::Look;
-use crate::problem::{COULOMB, LAWS, Problem, Vector};
+use crate::problem::{LAWS, Problem, Vector};
 use crate::swings::Swing;
 
 /// How fast the recorded quantity grows with the amplitude, in powers of ω0.
@@ -39,19 +39,21 @@ pub fn mixes(allowed: Mix) -> Vec<Mix> {
     all.into_iter().map(mix).collect()
 }
 
+/// The amplitude that a swing loses by friction of γ = 1, a_c = 1 and κ = 1, each averaged over the swing: together a
+/// swing of amplitude A loses 2f + (πγ/ω0) A + (4/3) κ A².
+fn losses(omega: f64, amplitude: f64) -> Vector3<f64> {
+    Vector3::new(PI / omega * amplitude, 2.0 / (omega * omega), 4.0 / 3.0 * amplitude * amplitude)
+}
+
 /// γ, a_c and κ from the loss of amplitude per swing, without any below zero.
-///
-/// A swing of amplitude A loses 2f + (πγ/ω0) A + (4/3) κ A²: the averaged laws of friction.
 pub fn coefficients(look: &Look, quantity: Quantity, omega: f64, allowed: Mix) -> [f64; 3] {
     let swings = look.swings(quantity, omega);
-    let columns =
-        |mean: f64| Vector3::new(PI / omega * mean, 2.0 / (omega * omega), 4.0 / 3.0 * mean * mean);
     let mut best = (f64::INFINITY, [0.0; 3]);
     for subset in mixes(allowed) {
         let chosen = laws(subset);
         let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
         for &Swing { amplitude, loss } in &swings {
-            let row = columns(amplitude);
+            let row = losses(omega, amplitude);
             let row = Vector3::from_fn(|i, _| if chosen[i] { row[i] } else { 0.0 });
             matrix += row * row.transpose();
             right += row * loss;
@@ -61,7 +63,7 @@ pub fn coefficients(look: &Look, quantity: Quantity, omega: f64, allowed: Mix) -
         }
         let Some(found) = matrix.cholesky().map(|factor| factor.solve(&right)) else { continue };
         let error: f64 =
-            swings.iter().map(|s| (s.loss - columns(s.amplitude).dot(&found)).powi(2)).sum();
+            swings.iter().map(|s| (s.loss - losses(omega, s.amplitude).dot(&found)).powi(2)).sum();
         if error < best.0 && found.iter().all(|&c| c >= 0.0) {
             best = (error, [found[0], found[1], found[2]]);
         }
@@ -72,9 +74,7 @@ pub fn coefficients(look: &Look, quantity: Quantity, omega: f64, allowed: Mix) -
 /// The rate at which an amplitude `amplitude` decays under these coefficients, 1/s.
 pub fn effective_rate(p: &Vector, amplitude: f64) -> f64 {
     let omega = p[0];
-    let loss = 2.0 * p[COULOMB] / (omega * omega)
-        + PI * p[1] / omega * amplitude
-        + 4.0 / 3.0 * p[3] * amplitude * amplitude;
+    let loss = losses(omega, amplitude).dot(&Vector3::new(p[1], p[2], p[3]));
     if amplitude > 0.0 { loss * omega / (PI * amplitude) } else { 0.0 }
 }
 
