@@ -25,6 +25,32 @@ pub(crate) struct Fits {
     pub fitted: Vec<Fitted>,
     /// Those that were not.
     pub failed: Vec<Failed>,
+    /// What is said of how files were read: the sentence, and the files in order.
+    notes: Vec<(String, Vec<String>)>,
+}
+
+impl Fits {
+    fn note(&mut self, sentence: String, file: &str) {
+        match self.notes.iter_mut().find(|(said, _)| *said == sentence) {
+            Some((_, files)) => files.push(file.to_owned()),
+            None => self.notes.push((sentence, vec![file.to_owned()])),
+        }
+    }
+
+    /// Says how files were read; what is true of several of them once.
+    fn say_notes(&self, catalogue: &Catalogue) {
+        for (sentence, files) in &self.notes {
+            let Some((first, others)) = files.split_first() else { continue };
+            let files = match others.len() {
+                0 => first.clone(),
+                count => {
+                    let variables = [("first", first.as_str().into()), ("count", count.into())];
+                    catalogue.format("fit-note-files", &variables)
+                }
+            };
+            note(&format!("{files}: {sentence}"));
+        }
+    }
 }
 
 /// A recording without a fit.
@@ -46,6 +72,7 @@ pub(crate) fn run(arguments: &Fit, catalogue: &Catalogue) -> Result<(), Failure>
     for path in &arguments.recordings {
         add(path, &mut fits, (&choice, &options, sigma, &given), catalogue);
     }
+    fits.say_notes(catalogue);
     // With a single recording there is nothing to write, and nothing to add to why.
     if fits.fitted.is_empty() && fits.failed.len() == 1 {
         return Err(fits.failed.remove(0).failure);
@@ -63,14 +90,14 @@ fn add(
     (choice, options, sigma, given): (&Choice, &Options, Option<&str>, &Given),
     catalogue: &Catalogue,
 ) {
-    let file = path.display().to_string();
+    let file = load::shown(path);
     let reads = match read(path, &file, choice, catalogue) {
         Ok(reads) => reads,
         Err(failure) => return fits.failed.push(Failed { name: file, failure }),
     };
     for read in reads {
         for remark in &read.notes {
-            note(&format!("{file}: {}", read_note(catalogue, remark)));
+            fits.note(read_note(catalogue, remark), &file);
         }
         let name = name(&file, &read);
         let report = same_unit(sigma, &read, &name, catalogue).and_then(|()| {
@@ -110,7 +137,7 @@ fn read(
     catalogue: &Catalogue,
 ) -> Result<Vec<Read>, Failure> {
     let refused = |error: &io::Error| Failure::system(catalogue, file, error);
-    let seekable = load::seekable(path).map_err(|error| refused(&error))?;
+    let seekable = load::seekable(path, catalogue)?;
     recordings_from(seekable, choice).map_err(|error| match error {
         ReadError::System(SystemError(error)) => refused(&error),
         error => Failure::Input(read_error(catalogue, &error, file)),

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use federpendel_text::Catalogue;
+use federpendel_text::{Catalogue, plain};
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 
 use crate::args::Subject;
@@ -23,7 +23,7 @@ pub(crate) fn experiment(
     catalogue: &Catalogue,
 ) -> Result<Experiment, Failure> {
     let (name, bytes) = match &subject.experiment {
-        Some(path) => (Some(path.display().to_string()), read(path, LARGEST_FILE, catalogue)?),
+        Some(path) => (Some(shown(path)), read(path, LARGEST_FILE, catalogue)?),
         None => (None, BUILT_IN.as_bytes().to_vec()),
     };
     let overrides = subject.overrides.iter().map(|(field, quantity)| (*field, quantity.as_str()));
@@ -45,25 +45,44 @@ pub(crate) fn read(path: &Path, largest: usize, catalogue: &Catalogue) -> Result
     } else {
         File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
     };
-    done.map_err(|error| Failure::system(catalogue, &path.display().to_string(), &error))?;
+    done.map_err(|error| Failure::system(catalogue, &shown(path), &error))?;
     Ok(bytes)
+}
+
+/// A path as messages and results say it.
+pub(crate) fn shown(path: &Path) -> String {
+    plain(&path.display().to_string())
 }
 
 /// A file that can be read from its beginning again: that of this name, where it lies.
 ///
 /// Standard input and pipes pass only once. They go to a file without a name, not into memory, which a recording may be
 /// larger than; the system removes it with the program. TMPDIR says on which disk.
-pub(crate) fn seekable(path: &Path) -> io::Result<File> {
+pub(crate) fn seekable(path: &Path, catalogue: &Catalogue) -> Result<File, Failure> {
+    let refused = |error: io::Error| Failure::system(catalogue, &shown(path), &error);
     if path == Path::new("-") {
-        return spooled(io::stdin());
+        return spooled(io::stdin(), catalogue, refused);
     }
-    let file = File::open(path)?;
-    if file.metadata()?.is_file() { Ok(file) } else { spooled(file) }
+    let file = File::open(path).map_err(refused)?;
+    let lies = file.metadata().map_err(refused)?.is_file();
+    if lies { Ok(file) } else { spooled(file, catalogue, refused) }
 }
 
-fn spooled(mut from: impl Read) -> io::Result<File> {
-    let mut file = tempfile::tempfile()?;
-    io::copy(&mut from, &mut file)?;
+/// What passes only once, in a file; `refused` says that it cannot be read.
+fn spooled(
+    mut from: impl Read,
+    catalogue: &Catalogue,
+    refused: impl Fn(io::Error) -> Failure,
+) -> Result<File, Failure> {
+    let here = |error: io::Error| {
+        let folder = ("folder", shown(&std::env::temp_dir()).into());
+        Failure::system(catalogue, &catalogue.format("cli-temporary-folder", &[folder]), &error)
+    };
+    let mut file = tempfile::tempfile().map_err(here)?;
+    io::copy(&mut from, &mut file).map_err(|error| match error.kind() {
+        io::ErrorKind::StorageFull => here(error),
+        _ => refused(error),
+    })?;
     Ok(file)
 }
 

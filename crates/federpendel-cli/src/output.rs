@@ -124,7 +124,7 @@ pub(crate) fn write(
 
 /// Names the files that were written.
 fn say_written(targets: &Targets, catalogue: &Catalogue) {
-    for path in targets.files.iter().map(|(path, _)| path.display().to_string()) {
+    for path in targets.files.iter().map(|(path, _)| crate::load::shown(path)) {
         note(&catalogue.format("cli-written", &[("name", path.into())]));
     }
 }

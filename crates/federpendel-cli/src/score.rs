@@ -52,7 +52,7 @@ fn score<'a>(
     path: &Path,
     catalogue: &Catalogue,
 ) -> Result<Score<'a>, Failure> {
-    let file = path.display().to_string();
+    let file = crate::load::shown(path);
     let bytes = load::read(path, LARGEST_FILE, catalogue)?;
     let samples = Samples::read(&bytes)
         .map_err(|fault| Failure::Input(samples_fault(catalogue, &fault, &file)))?;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 use std::net::Ipv4Addr;
+use std::thread;
 
 use federpendel_text::Catalogue;
 use tiny_http::{Header, Method, Request, Response, Server};
@@ -36,8 +37,9 @@ pub(crate) fn run(arguments: &Serve, catalogue: &Catalogue) -> Result<(), Failur
         note(&catalogue.text("serve-no-browser"));
     }
     for request in server.incoming_requests() {
-        // A browser that has gone away wants no answer.
-        let _ = answer(request, page);
+        // Each on its own: a request whose body never comes makes nobody else wait. A browser that has gone away wants no
+        // answer.
+        thread::spawn(move || answer(request, page));
     }
     Ok(())
 }

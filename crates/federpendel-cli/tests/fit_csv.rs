@@ -11,7 +11,11 @@ use common::Workplace;
 fn rows(workplace: &Workplace, arguments: &[&str]) -> Vec<HashMap<String, String>> {
     let finished = workplace.run(&[&["fit", "--format", "csv"], arguments].concat());
     assert_eq!(finished.status, Some(0), "{}", finished.err);
-    let mut table = csv::Reader::from_reader(finished.out.as_bytes());
+    read(&finished.out)
+}
+
+fn read(table: &str) -> Vec<HashMap<String, String>> {
+    let mut table = csv::Reader::from_reader(table.as_bytes());
     table.deserialize().map(|row| row.expect("a row as long as the header")).collect()
 }
 
@@ -68,4 +72,44 @@ fn a_name_does_not_begin_a_formula() {
     let rows = rows(&workplace, &["=1+1.csv", "+1.csv", "@a.csv", "a=1.csv"]);
     let names: Vec<&str> = rows.iter().map(|row| &row["name"][..]).collect();
     assert_eq!(names, ["./=1+1.csv", "./+1.csv", "./@a.csv", "a=1.csv"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_fitted_has_a_row_with_the_reason() {
+    let workplace = Workplace::new();
+    record(&workplace, "a.csv", None);
+    workplace.write("b.csv", b"t (s),x (m)\n0,err\n1,err\n2,err\n3,err\n");
+    let table = String::from_utf8(workplace.read("a.csv")).expect("text");
+    workplace.write("c.csv", table.split_once('\n').expect("rows below a header").1.as_bytes());
+    let finished =
+        workplace.run(&["fit", "b.csv", "a.csv", "c.csv", "--format", "csv", "-o", "r.html"]);
+    assert_eq!(finished.status, Some(2), "{}", finished.err);
+    let rows = read(&finished.out);
+    let names: Vec<&str> = rows.iter().map(|row| &row["name"][..]).collect();
+    assert_eq!(names, ["a.csv", "c.csv", "b.csv"]);
+    let [fitted, assumed, failed] = &rows[..] else { panic!("{rows:?}") };
+    assert_eq!((&fitted["error"][..], &fitted["notes"][..]), ("", ""));
+    assert!(assumed["notes"].contains("a position is assumed"), "{assumed:?}");
+    assert!(failed["error"].contains("b.csv:2: ") && failed["error"].contains("err"), "{failed:?}");
+    let known = failed.iter().filter(|(_, cell)| !cell.is_empty()).count();
+    assert_eq!(known, 2, "{failed:?}");
+    let page = String::from_utf8_lossy(&workplace.read("r.html")).into_owned();
+    let page = page.replace('\u{a0}', " ");
+    assert!(page.contains("Which friction acts in 2 of 3 recordings?"), "{page}");
+    assert!(page.contains("1 of 3 recordings could not be fitted."), "{page}");
+    assert!(page.contains("<li>b.csv:2: "), "{page}");
+}
+
+/// In noise half as large as what the weaker law does, two mixes describe the recording.
+#[test]
+fn what_a_recording_leaves_open_has_a_column() {
+    let workplace = Workplace::new();
+    record(&workplace, "sure.csv", None);
+    let simulate = ["simulate", "--damping", "0.1", "--noise", "5 mm", "--samples", "200"];
+    workplace.run(&[&simulate[..], &["--duration", "4 s", "--seed", "3", "-o", "o.csv"]].concat());
+    let rows = rows(&workplace, &["sure.csv", "o.csv"]);
+    assert_eq!((&rows[0]["laws"][..], &rows[0]["alternatives"][..]), ("coulomb", ""));
+    let mut mixes = ["laws", "alternatives"].map(|name| &rows[1][name][..]);
+    mixes.sort_unstable();
+    assert_eq!(mixes, ["coulomb+newton", "stokes+coulomb"]);
 }

@@ -30,6 +30,16 @@ fn a_fit_without_a_recording_says_what_is_missing() {
 }
 
 #[test]
+fn a_file_without_a_command_is_told_its_command() {
+    names(&refusal(&["r.csv"]), &["r.csv is a file", "federpendel fit r.csv"]);
+    names(&refusal(&["r.csv", "--lang", "de"]), &["r.csv ist eine Datei", "federpendel fit r.csv"]);
+    names(&refusal(&["s.csv"]), &["s.csv is no command"]);
+    let workplace = Workplace::new();
+    workplace.write("my.toml", b"");
+    names(&workplace.run(&["my.toml"]).err, &["federpendel simulate my.toml"]);
+}
+
+#[test]
 fn a_seed_is_a_whole_number() {
     for seed in ["abc", "-1", "1.5", "18446744073709551616"] {
         let asked = ["simulate", "--noise", "1mm", "--seed", seed, "-o", "z.csv"];

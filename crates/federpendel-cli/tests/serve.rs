@@ -35,12 +35,32 @@ mod with_the_page {
 
     fn get(address: &str, path: &str) -> (String, Vec<u8>) {
         let mut stream = TcpStream::connect(address).expect("a server");
+        stream.set_read_timeout(Some(std::time::Duration::from_secs(5))).unwrap();
         write!(stream, "GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n")
             .unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let end = answer.windows(4).position(|four| four == b"\r\n\r\n").expect("headers");
         (String::from_utf8_lossy(&answer[..end]).into_owned(), answer[end + 4..].to_vec())
+    }
+
+    #[test]
+    fn a_body_that_never_comes_keeps_nobody_waiting() {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_federpendel"))
+            .args(["serve", "--no-open", "--lang", "en"])
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program");
+        let mut line = String::new();
+        BufReader::new(program.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.split("http://").nth(1).and_then(|rest| rest.split('/').next()).unwrap();
+        let mut silent = TcpStream::connect(address).expect("a server");
+        write!(silent, "POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 50000\r\n\r\n").unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(200));
+        let (headers, _) = get(address, "/Cargo.toml");
+        program.kill().unwrap();
+        program.wait().unwrap();
+        assert!(headers.starts_with("HTTP/1.1 404"), "{headers}");
     }
 
     #[test]

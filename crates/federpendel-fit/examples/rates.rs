@@ -46,8 +46,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let mut reached = Tally::default();
     let mut covered: [[Tally; 4]; 3] = Default::default();
-    let (mut named, mut named_alone, mut absent, mut adequate, mut window) =
-        (Tally::default(), Tally::default(), Tally::default(), Tally::default(), Tally::default());
+    let (mut named, mut named_alone, mut absent) =
+        (Tally::default(), Tally::default(), Tally::default());
+    let (mut adequate, mut cautioned, mut window) =
+        (Tally::default(), Tally::default(), Tally::default());
     let mut seconds = Vec::new();
     let mut by_quantity: [Vec<f64>; 3] = Default::default();
     for i in 0..count {
@@ -87,6 +89,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         adequate.count(report.adequacy.adequate);
         if !report.adequacy.adequate {
             println!("{i}: inadequate {:?}", report.adequacy.findings);
+        }
+        cautioned.count(report.adequacy.slight().is_some());
+        if let Some(finding) = report.adequacy.slight() {
+            println!("{i}: cautioned {finding:?} {}", describe(&known, &report));
         }
         let full = resolution(&known, Mix { stokes: true, coulomb: true, newton: true });
         let own = resolution(&known, known.mix);
@@ -134,6 +140,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("acts, 5 standard errors in the true mix: chosen {named_alone}");
     println!("does not act, but named                         {absent}");
     println!("found adequate                                  {adequate}");
+    println!("cautioned of a pattern                          {cautioned}");
     for (quantity, times) in ["position", "velocity", "acceleration"].iter().zip(&by_quantity) {
         let mean = times.iter().sum::<f64>() / times.len().max(1) as f64 * 1e3;
         println!("{quantity:<12}: ms per fit, mean {mean:.0}");

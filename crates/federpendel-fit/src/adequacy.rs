@@ -7,11 +7,11 @@
 //! parameters themselves; what it explains is judged by its significance against the noise that is
 //! left and by its size against the motion.
 
-use crate::extremes::{fast_noise, spread};
+use crate::extremes::{fast_noise, look, spread};
 use crate::least_squares::Minimum;
 use crate::noise::{Excess, excess};
 use crate::patterns::{Patterns, square};
-use crate::problem::{Loss, OMEGA, Problem};
+use crate::problem::{LAWS, Loss, OMEGA, Problem};
 
 /// What is wrong with the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -61,6 +61,15 @@ pub struct Adequacy {
     pub residual: f64,
 }
 
+impl Adequacy {
+    /// The pattern that makes up a large part of the residuals, where the model describes the motion
+    /// all the same: standard errors, which are those of noise, do not cover what it does to the values.
+    pub fn slight(&self) -> Option<&Finding> {
+        let main = |finding: &&Finding| finding.share > SLIGHT && finding.significance > NO_NOISE;
+        self.findings.iter().find(main).filter(|_| self.adequate)
+    }
+}
+
 /// A pattern counts from this χ² per degree of freedom on: beyond what noise does, its spectrum
 /// being an estimate.
 const SIGNIFICANT: f64 = 6.0;
@@ -68,6 +77,12 @@ const SIGNIFICANT: f64 = 6.0;
 const GRAVE: f64 = 0.04;
 /// And this share of the residuals: else noise hides the motion, not a wrong model.
 const MAIN: f64 = 0.3;
+
+/// A pattern that is not grave is said with the verdict from this share of the residuals on: weakly cubic springs begin
+/// to look like further laws of friction at a quarter.
+const SLIGHT: f64 = 0.2;
+/// And so significant it is no noise that hangs together over much of the recording.
+const NO_NOISE: f64 = 100.0;
 
 /// Searches the residuals at `minimum`.
 pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> Option<Adequacy> {
@@ -100,7 +115,9 @@ pub fn adequacy(problem: &mut Problem, minimum: &Minimum, free: &[bool; 7]) -> O
         let grave = size > GRAVE && share > MAIN;
         findings.push(Finding { fault, size, share, significance, effect, grave });
     }
-    findings.extend(residual(problem, &patterns));
+    let creeps = minimum.at[LAWS[0]] > STRONG * omega;
+    findings
+        .extend(residual(problem, &patterns).or_else(|| swinging(&patterns).filter(|_| creeps)));
     // The others say more than what is merely left.
     let merely = |finding: &Finding| finding.fault == Fault::Residual;
     findings.sort_by(|a, b| merely(a).cmp(&merely(b)).then(b.share.total_cmp(&a.share)));
@@ -126,6 +143,27 @@ fn residual(problem: &Problem, patterns: &Patterns) -> Option<Finding> {
     let size = rms / (patterns.widest() / values.len() as f64).sqrt();
     let beyond = rms / fast_noise(values).max(f64::MIN_POSITIVE);
     (size > LARGE && beyond > BEYOND_NOISE).then_some(Finding {
+        fault: Fault::Residual,
+        size,
+        share: 1.0,
+        significance: beyond * beyond,
+        effect: size,
+        grave: true,
+    })
+}
+
+/// From this damping ratio on a motion swings no more than a few times before it is too small to be seen.
+const STRONG: f64 = 0.5;
+/// So many turns beyond that are a motion of their own.
+const TURNS: usize = 5;
+
+/// Residuals that swing, where the motion that was fitted does not: it is not the one that was recorded.
+fn swinging(patterns: &Patterns) -> Option<Finding> {
+    let seen = look(&patterns.times, &patterns.residuals)?;
+    let rms = (patterns.cost / patterns.residuals.len() as f64).sqrt();
+    let size = (patterns.cost / patterns.widest()).sqrt();
+    let beyond = rms / fast_noise(&patterns.residuals).max(f64::MIN_POSITIVE);
+    (seen.extremes.len() >= TURNS && beyond > BEYOND_NOISE).then_some(Finding {
         fault: Fault::Residual,
         size,
         share: 1.0,

@@ -7,6 +7,7 @@ use federpendel::Mix;
 use crate::Recording;
 use crate::adequacy::{adequacy, noise};
 use crate::check::{FEWEST, check};
+use crate::clipping::unclipped;
 use crate::condense::{Whole, condense};
 use crate::covariance::variance;
 use crate::error::FitError;
@@ -16,13 +17,14 @@ use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
 use crate::options::{Intervals, Laws, Loss, Options};
 use crate::problem::{LAWS, OMEGA, Problem, parameters};
-use crate::ranking::{Candidate, verdict};
+use crate::ranking::{Candidate, Ranking, verdict};
 use crate::reach::{Reach, reach};
 use crate::report::{FitReport, Model};
+use crate::robust::robust;
 use crate::shares::shares;
 use crate::start::mix;
 use crate::unit::unit_of_values;
-use crate::window::{Edge, Found, Window, find};
+use crate::window::{Edge, Found, Window};
 
 /// So many turns that stand out of the noise are an oscillation, whatever is fitted to it.
 const TURNS: usize = 5;
@@ -30,6 +32,9 @@ const TURNS: usize = 5;
 /// A likelihood ratio that the parameters of a motion reach in noise hardly ever, beside the 2 ln n that the best
 /// of n frequencies does.
 const OF_NOISE: f64 = 20.0;
+
+/// All laws at once.
+const ALL: Mix = Mix { stokes: true, coulomb: true, newton: true };
 
 /// Fits every mix of the allowed laws to a recording of a free decay, from a cold start.
 ///
@@ -44,25 +49,50 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
     };
     let all = recording;
     let recording = condensed.as_ref().map_or(all, |condensed| &condensed.recording);
-    let mut found = find(recording, options.from, options.to);
-    let mut fits = Fits::new(recording, &found, options)?;
-    for _ in 0..3 {
-        // A hand that let go late, or the like, spoils the first values: without them once more.
-        let Some(first) = fits.misfit(&found.window, options) else { break };
-        let Window { end, ends, .. } = found.window;
-        let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
-        let part = (&recording.times[first..end], &recording.values[first..end]);
-        let look = look(part.0, part.1).or(found.look.clone());
-        let shorter = Found { window, look };
-        let Ok(again) = Fits::new(recording, &shorter, options) else { break };
-        (found, fits) = (shorter, again);
+    let (found, clipping) = unclipped(all, recording, options);
+    let (mut found, mut fits) = settled(recording, found, options)?;
+    let mut asked_rejection = None;
+    if let Laws::Exactly(mix) = options.laws {
+        let asked = Fits::new(recording, &found, options, mix)?;
+        asked_rejection = fits.ranking().rejection(mix);
+        fits = asked;
     }
     let whole = condensed.as_ref().map(|condensed| condensed.whole(all, &found.window));
     if let Some((whole, window)) = whole {
         fits.whole = Some(whole);
         found.window = window;
     }
-    fits.report(recording, &found, options)
+    let report = fits.report(recording, &found, options)?;
+    Ok(FitReport { asked_rejection, clipping, ..report })
+}
+
+/// The window without first values that do not belong to the motion, as those of a hand that let go late, and the fits
+/// of all laws to it that may act, whichever was asked for: else a mix that is wrong would have no beginning that fits.
+fn settled<'a>(
+    recording: &Recording,
+    mut found: Found,
+    options: &Options,
+) -> Result<(Found, Fits<'a>), FitError> {
+    let laws = match options.laws {
+        Laws::Among(mix) => mix,
+        Laws::Exactly(_) => ALL,
+    };
+    let mut fits = Fits::new(recording, &found, options, laws)?;
+    let mut uncut = None;
+    for _ in 0..3 {
+        let Some(first) = fits.misfit(&found.window, options) else { break };
+        let Window { end, ends, .. } = found.window;
+        let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
+        let part = (&recording.times[first..end], &recording.values[first..end]);
+        let look = look(part.0, part.1).or(found.look.clone());
+        let shorter = Found { window, look };
+        let Ok(again) = Fits::new(recording, &shorter, options, laws) else { break };
+        uncut.get_or_insert((found, fits));
+        (found, fits) = (shorter, again);
+    }
+    // What stays however much is cut comes of a motion that no mix describes, not of a hand.
+    let stays = uncut.is_some() && fits.misfit(&found.window, options).is_some();
+    Ok(uncut.filter(|_| stays).unwrap_or((found, fits)))
 }
 
 /// The fits of all mixes to one window.
@@ -76,7 +106,12 @@ pub struct Fits<'a> {
 }
 
 impl Fits<'_> {
-    fn new(recording: &Recording, found: &Found, options: &Options) -> Result<Self, FitError> {
+    fn new(
+        recording: &Recording,
+        found: &Found,
+        options: &Options,
+        laws: Mix,
+    ) -> Result<Self, FitError> {
         let Window { first, end, from, to, .. } = found.window;
         let values = recording.values[first..end].to_vec();
         if values.iter().all(|&value| value == values[0]) {
@@ -86,13 +121,13 @@ impl Fits<'_> {
         let mut problem = Problem::new(times, values, recording.quantity);
         let look = found.look.as_ref();
         let none = FitError::NoFit { from, to };
-        let mut fitted = fit_all(&mut problem, look, options.laws.mix()).ok_or(none.clone())?;
+        let mut fitted = fit_all(&mut problem, look, laws).ok_or(none.clone())?;
         if options.loss != Loss::Squares {
             fitted = robust(&mut problem, &fitted, options.loss);
         }
         let best =
             fitted.iter().min_by(|a, b| a.minimum.normal.cost.total_cmp(&b.minimum.normal.cost));
-        let best = *best.ok_or(none.clone())?;
+        let best = best.ok_or(none.clone())?;
         let excess = noise(&mut problem, &best.minimum, &free(best.mix)).ok_or(none)?;
         let effective = problem.len() as f64 / excess.of_amplitude;
         Ok(Self { problem, whole: None, fitted, excess, effective })
@@ -140,16 +175,12 @@ impl Fits<'_> {
     ) -> Result<FitReport, FitError> {
         let window = found.window;
         let none = FitError::NoFit { from: window.from, to: window.to };
-        let candidates: Vec<Candidate> = self
-            .fitted
-            .iter()
-            .map(|f| Candidate { mix: f.mix, cost: f.minimum.normal.cost, core: core(f) })
-            .collect();
-        let mut verdict = verdict(&candidates, self.effective).ok_or(none.clone())?;
+        let ranking = self.ranking();
+        let mut verdict = verdict(&ranking).ok_or(none.clone())?;
         if let Laws::Exactly(mix) = options.laws {
-            (verdict.mix, verdict.alternatives) = (mix, vec![]);
+            verdict.mix = mix;
         }
-        let find = |mix: Mix| self.fitted.iter().find(|f| f.mix == mix).copied();
+        let find = |mix: Mix| self.fitted.iter().find(|f| f.mix == mix).cloned();
         let best = find(verdict.mix).ok_or(none.clone())?;
         let free_here = free(best.mix);
         let adequacy =
@@ -159,7 +190,6 @@ impl Fits<'_> {
         if !self.swings(&best.minimum) && (adequacy.adequate || turns < TURNS) {
             return Err(FitError::NoOscillation { from: window.from, to: window.to });
         }
-        let reaches = self.reaches(&verdict.alternatives, &best);
         let shares = shares(&parameters(&best.minimum.at), window.to - window.from);
         let residuals = self.residuals(&best.minimum).ok_or(none)?;
         if self.whole.is_some() {
@@ -173,6 +203,12 @@ impl Fits<'_> {
             let intervals = if chosen { options.intervals } else { Intervals::Covariance };
             models.push(self.model(&fitted, intervals, options.sigma));
         }
+        let shown = models.iter().filter(|model| model.mix == best.mix);
+        shown.for_each(|shown| verdict.doubt(&shown.parameters));
+        if let Laws::Exactly(_) = options.laws {
+            verdict.alternatives.clear();
+        }
+        let reaches = self.reaches(&verdict.alternatives, &best);
         models.sort_by(|a, b| a.criteria.aicc.total_cmp(&b.criteria.aicc));
         Ok(FitReport {
             quantity: recording.quantity,
@@ -184,15 +220,30 @@ impl Fits<'_> {
             excess: self.excess,
             models,
             verdict,
+            ranking,
+            asked_rejection: None,
             adequacy,
             shares,
             reaches,
             outliers: outliers(&residuals),
+            clipping: None,
             residuals,
             evaluations: self.problem.evaluations,
             loss: options.loss,
             sigma: options.sigma,
         })
+    }
+
+    /// The mixes as the verdict weighs them.
+    fn ranking(&self) -> Ranking {
+        let candidate = |fitted: &Fitted| Candidate {
+            mix: fitted.mix,
+            cost: fitted.minimum.normal.cost,
+            lowest: fitted.lowest(),
+            core: core(fitted),
+        };
+        let candidates = self.fitted.iter().map(candidate).collect();
+        Ranking { candidates, effective: self.effective }
     }
 
     /// Whether the values show a motion: at least half a swing of it, beyond what a search for a frequency finds in
@@ -256,30 +307,4 @@ fn outliers(residuals: &[f64]) -> usize {
 
 fn mean_square(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum::<f64>() / values.len().max(1) as f64
-}
-
-/// The fits again with a loss that outliers do not sway; the scale is that of the residuals'
-/// median.
-fn robust(problem: &mut Problem, fitted: &[Fitted], loss: Loss) -> Vec<Fitted> {
-    use crate::least_squares::{Effort, minimise};
-    let mut fitted = fitted.to_vec();
-    // The scale is that of the largest mix, the same for all, so that they can be compared.
-    for _ in 0..3 {
-        let Some(largest) = fitted.first() else { return fitted };
-        let Some(residuals) = problem.residuals(&largest.minimum.at, largest.minimum.ending) else {
-            return fitted;
-        };
-        let scale = spread(residuals.into_iter());
-        if scale <= 0.0 {
-            return fitted;
-        }
-        problem.loss = (loss, scale);
-        for fit in &mut fitted {
-            let Minimum { at, ending, .. } = fit.minimum;
-            if let Some(found) = minimise(problem, &at, &free(fit.mix), ending, Effort::FINE) {
-                fit.minimum = found;
-            }
-        }
-    }
-    fitted
 }

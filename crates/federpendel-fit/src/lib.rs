@@ -8,7 +8,8 @@
 //!    turning points until rest (`stop`), and between the jumps of an acceleration (`jumps`); every mix of
 //!    laws starts from the others (`mixes`);
 //! 3. how much residuals that hang together count (`noise`), which laws that leaves (`ranking`), standard errors
-//!    and intervals (`covariance`, `profile`, `bootstrap`), whether the oscillator fits at all
+//!    and intervals (`covariance`, `profile`, `bootstrap`,
+//!    `elsewhere`), whether the oscillator fits at all
 //!    (`adequacy`), and from which amplitude a further recording would tell more (`reach`).
 //!
 //! What a mass or a stiffness makes of it says [`physical()`], and [`damping()`] says it as engineers do.
@@ -35,10 +36,12 @@
 pub mod adequacy;
 mod bootstrap;
 mod check;
+pub mod clipping;
 mod condense;
 mod covariance;
 pub mod damping;
 mod described;
+mod elsewhere;
 pub mod error;
 pub mod extremes;
 mod fit;
@@ -61,14 +64,18 @@ pub mod reach;
 pub mod read;
 pub mod recording;
 pub mod report;
+mod robust;
 mod shares;
 mod start;
 mod stop;
+mod stopped;
 mod swings;
+mod tails;
 pub mod unit;
 pub mod window;
 
 pub use adequacy::{Adequacy, Fault, Finding};
+pub use clipping::Clipping;
 pub use damping::{Damping, damping};
 pub use error::FitError;
 pub use fit::fit;
@@ -82,6 +89,6 @@ pub use ranking::{Criteria, Standing, Verdict};
 pub use reach::Reach;
 pub use recording::{Quantity, Recording};
 pub use report::{FitReport, Model, Parameter};
-pub use stop::Rest;
+pub use stop::{Early, Rest};
 pub use swings::Swing;
 pub use window::{Edge, Window};

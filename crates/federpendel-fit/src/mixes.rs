@@ -10,12 +10,23 @@ use crate::problem::{Ending, LAWS, Normal, OMEGA, Problem, Vector};
 use crate::{jumps, start, stop};
 
 /// A fitted mix.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Fitted {
     /// The laws that may act.
     pub mix: Mix,
     /// The minimum.
     pub minimum: Minimum,
+    /// Minima with the rest at another turning point that fit about as well, or even better where it is not
+    /// the natural one.
+    pub beside: Vec<Minimum>,
+}
+
+impl Fitted {
+    /// The lowest sum of squares, wherever the mass rests.
+    pub fn lowest(&self) -> f64 {
+        let all = self.beside.iter().chain([&self.minimum]);
+        all.map(|minimum| minimum.normal.cost).fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// Which parameters are free in a mix.
@@ -45,8 +56,9 @@ pub fn fit_all(problem: &mut Problem, look: Option<&Look>, allowed: Mix) -> Opti
         };
         let found = refine(problem, &from, mix, seen, lowest);
         // With jumps spread, as the sums that it is held against.
-        lowest = lowest.or(found.and_then(|found| problem.normal(&found.at, found.ending)));
-        fitted.extend(found.map(|minimum| Fitted { mix, minimum }));
+        let jumping = found.as_ref().map(|found| &found.minimum);
+        lowest = lowest.or(jumping.and_then(|at| problem.normal(&at.at, at.ending)));
+        fitted.extend(found);
     }
     let order =
         (0..fitted.len()).rev().flat_map(|small| (0..small).map(move |large| (small, large)));
@@ -66,14 +78,14 @@ fn lead(
     large: usize,
     seen: Option<u64>,
 ) {
-    let (Fitted { mix, minimum }, other) = (fitted[small], fitted[large]);
-    let lower = minimum.normal.cost < other.minimum.normal.cost * (1.0 - 1e-9);
-    if !within(mix, other.mix) || !lower {
+    let (Fitted { mix, minimum, .. }, other) = (&fitted[small], &fitted[large]);
+    let cost = other.minimum.normal.cost;
+    if !within(*mix, other.mix) || minimum.normal.cost >= cost * (1.0 - 1e-9) {
         return;
     }
-    let again = refine(problem, &minimum, other.mix, seen, None);
-    if let Some(again) = again.filter(|again| again.normal.cost < other.minimum.normal.cost) {
-        fitted[large].minimum = again;
+    let again = refine(problem, minimum, other.mix, seen, None);
+    if let Some(again) = again.filter(|again| again.minimum.normal.cost < cost) {
+        fitted[large] = again;
     }
 }
 
@@ -92,16 +104,19 @@ fn refine(
     mix: Mix,
     seen: Option<u64>,
     lowest: Option<Normal>,
-) -> Option<Minimum> {
+) -> Option<Fitted> {
     let free = free(mix);
-    if mix.coulomb {
-        let found = stop::search(problem, from, &free, seen)?;
-        let hopeless = 1.0 + HOPELESS / problem.len() as f64;
-        let near = lowest.is_none_or(|lowest| found.normal.cost < hopeless * lowest.cost);
-        Some(jumps::settle(problem, found, &free, near))
-    } else {
-        minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)
+    if !mix.coulomb {
+        let minimum = minimise(problem, &from.at, &free, Ending::Natural, Effort::FINE)?;
+        return Some(Fitted { mix, minimum, beside: vec![] });
     }
+    let (found, beside) = stop::search(problem, from, &free, seen)?;
+    let hopeless = 1.0 + HOPELESS / problem.len() as f64;
+    let near = lowest.is_none_or(|lowest| found.normal.cost < hopeless * lowest.cost);
+    let minimum = jumps::settle(problem, found, &free, near);
+    let beside = beside.into_iter().map(|found| jumps::settle(problem, found, &free, near));
+    let beside = beside.collect();
+    Some(Fitted { mix, minimum, beside })
 }
 
 /// A fit so many variances above the best is rejected, wherever exactly its minimum lies.

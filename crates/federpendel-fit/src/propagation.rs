@@ -203,7 +203,10 @@ impl Sources {
         let value = number.value;
         let Some(stderr) = self.stderr(&number).filter(|_| value.is_finite()) else {
             let value = Some(value).filter(|value| value.is_finite());
-            return Estimate { value, stderr: None, interval95: (None, None), unit };
+            // The number of the least that is known of what it follows is the least of it.
+            let least = self.intervals.get(fitted as usize).is_some_and(|ends| ends.1.is_none());
+            let (value, low) = if least { (None, value) } else { (value, None) };
+            return Estimate { value, stderr: None, interval95: (low, None), unit };
         };
         let i = fitted as usize;
         let slope = number.slopes[i];

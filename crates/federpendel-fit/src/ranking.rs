@@ -2,19 +2,33 @@
 
 use federpendel::Mix;
 
+use crate::covariance::NORMAL;
 use crate::mixes::within;
-use crate::report::FitReport;
+use crate::problem::{LAWS, NAMES};
+use crate::report::{FitReport, Parameter};
 use crate::start::{laws, mix};
+use crate::tails::tails;
 
 /// A mix with its sum of squares.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// The laws.
     pub mix: Mix,
     /// The sum of squares of its fit.
     pub cost: f64,
+    /// The lowest sum of squares, wherever the mass comes to rest.
+    pub lowest: f64,
     /// Its laws without those that came out as none: it says nothing that this mix does not.
     pub core: Mix,
+}
+
+/// All fitted mixes, and as how many independent values theirs tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ranking {
+    /// The mixes.
+    pub candidates: Vec<Candidate>,
+    /// The effective number of the values that were fitted.
+    pub effective: f64,
 }
 
 /// How good a fit is for its number of parameters; lower is better.
@@ -71,7 +85,9 @@ pub struct Verdict {
 pub const LEVEL: f64 = 0.01;
 
 /// The verdict from the fits of all allowed mixes.
-pub fn verdict(candidates: &[Candidate], effective: f64) -> Option<Verdict> {
+pub fn verdict(ranking: &Ranking) -> Option<Verdict> {
+    let Ranking { candidates, effective } = ranking;
+    let effective = *effective;
     let left: Vec<&Candidate> = candidates
         .iter()
         .filter(|c| c.core == c.mix && !rejected(c, candidates, effective))
@@ -114,7 +130,7 @@ fn rejected(small: &Candidate, candidates: &[Candidate], effective: f64) -> bool
 
 /// The least probability of a likelihood ratio as high as that of a larger mix, if `small` were
 /// right; none where there is no larger one.
-fn rejection(small: &Candidate, candidates: &[Candidate], effective: f64) -> Option<f64> {
+pub fn rejection(small: &Candidate, candidates: &[Candidate], effective: f64) -> Option<f64> {
     let larger = candidates.iter().filter(|c| c.mix != small.mix && within(small.mix, c.mix));
     larger.map(|large| p_value(small, large, effective)).reduce(f64::min)
 }
@@ -124,17 +140,38 @@ impl FitReport {
     /// were right; below [`LEVEL`] it is rejected. None for the largest mix, and for one that was
     /// not fitted.
     pub fn rejection(&self, mix: Mix) -> Option<f64> {
-        let candidate = |model: &crate::Model| Candidate {
-            mix: model.mix,
-            cost: model.chi_square,
-            core: crate::start::mix(
-                ["damping_rate", "coulomb_acceleration", "newton_rate"]
-                    .map(|law| model.value(law) > 0.0),
-            ),
-        };
-        let candidates: Vec<_> = self.models.iter().map(candidate).collect();
-        let small = candidates.iter().find(|candidate| candidate.mix == mix)?;
-        rejection(small, &candidates, self.effective_samples)
+        self.ranking.rejection(mix)
+    }
+}
+
+impl Ranking {
+    /// The same, from what the verdict follows from.
+    pub(crate) fn rejection(&self, mix: Mix) -> Option<f64> {
+        let small = self.candidates.iter().find(|candidate| candidate.mix == mix)?;
+        rejection(small, &self.candidates, self.effective)
+    }
+}
+
+impl Verdict {
+    /// Leaves open whether those laws act whose own coefficient in the verdict's mix, as `fitted`, may be
+    /// zero, whatever the likelihood ratios say: these see the best fits only, not how far they reach.
+    pub fn doubt(&mut self, fitted: &[Parameter]) {
+        for (i, law) in LAWS.into_iter().enumerate() {
+            let Some(parameter) = fitted.iter().find(|one| one.name == NAMES[law]) else {
+                continue;
+            };
+            let errors = parameter.value.zip(parameter.stderr).map(|(value, error)| value / error);
+            // Of what one swing before a rest bounds from below only there is no value.
+            let above = parameter.value.is_none() || errors.is_some_and(|errors| errors > NORMAL);
+            let sure = above && parameter.interval95.0.is_some_and(|low| low > 0.0);
+            if sure || self.laws[i] != Standing::Acts {
+                continue;
+            }
+            let mut others = laws(self.mix);
+            others[i] = false;
+            self.laws[i] = Standing::Open;
+            self.alternatives.push(mix(others));
+        }
     }
 }
 
@@ -142,18 +179,21 @@ fn size(mix: Mix) -> usize {
     laws(mix).iter().filter(|&&acts| acts).count()
 }
 
-/// The probability of a likelihood ratio as high, if the smaller mix is right.
+/// The probability of a likelihood ratio as high, if the smaller mix is right. Where dry friction acts in
+/// both, the mass may rest wherever each fits best.
 ///
 /// Coefficients cannot fall below zero, so each law more adds a χ² only every other time: ½χ²₀ +
 /// ½χ²₁ for one (Chernoff 1954), binomial weights for more (Self & Liang 1987, for independent
 /// coefficients).
 fn p_value(small: &Candidate, large: &Candidate, effective: f64) -> f64 {
+    let cost = |one: &Candidate| if small.mix.coulomb { one.lowest } else { one.cost };
+    let (above, below) = (cost(small), cost(large));
     let ratio = if within(large.core, small.mix) {
         // What it has more came out as none.
         0.0
-    } else if large.cost > 0.0 {
-        (effective * (small.cost / large.cost).ln()).max(0.0)
-    } else if small.cost > 0.0 {
+    } else if below > 0.0 {
+        (effective * (above / below).ln()).max(0.0)
+    } else if above > 0.0 {
         f64::INFINITY
     } else {
         0.0
@@ -166,35 +206,6 @@ fn p_value(small: &Candidate, large: &Candidate, effective: f64) -> f64 {
     }
 }
 
-/// The probability that χ² with one, two or three degrees of freedom exceeds `x`.
-fn tails(x: f64) -> [f64; 3] {
-    if x == f64::INFINITY {
-        return [0.0; 3];
-    }
-    let one = erfc((x / 2.0).sqrt());
-    let two = (-x / 2.0).exp();
-    [one, two, one + (2.0 * x / std::f64::consts::PI).sqrt() * two]
-}
-
-/// The complementary error function for x ≥ 0, to 1.2e-7 of itself (Press et al., Numerical
-/// Recipes, 6.2).
-fn erfc(x: f64) -> f64 {
-    const C: [f64; 10] = [
-        -1.26551223,
-        1.00002368,
-        0.37409196,
-        0.09678418,
-        -0.18628806,
-        0.27886807,
-        -1.13520398,
-        1.48851587,
-        -0.82215223,
-        0.17087277,
-    ];
-    let t = 1.0 / (1.0 + 0.5 * x);
-    t * (-x * x + C.iter().rev().fold(0.0, |sum, c| sum * t + c)).exp()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -203,25 +214,69 @@ mod tests {
     fn a_mix_with_an_idle_law_is_no_alternative() {
         // Quadratic friction beside Stokes is there; dry friction came out as none.
         let (stokes, newton) = ([true, false, false], [true, false, true]);
-        let candidate = |laws, core, cost| Candidate { mix: mix(laws), core: mix(core), cost };
-        let candidates = [
+        let candidate = |laws, core, cost| {
+            let (mix, core) = (mix(laws), mix(core));
+            Candidate { mix, core, cost, lowest: cost }
+        };
+        let candidates = vec![
             candidate([true; 3], newton, 1.0),
             candidate([true, true, false], stokes, 1.2),
             candidate(newton, newton, 1.0),
             candidate(stokes, stokes, 1.2),
         ];
-        let verdict = verdict(&candidates, 1000.0).expect("there are candidates");
+        let ranking = Ranking { candidates, effective: 1000.0 };
+        let verdict = verdict(&ranking).expect("there are candidates");
         assert_eq!((verdict.mix, verdict.alternatives), (mix(newton), vec![]));
         assert_eq!(verdict.laws, [Standing::Acts, Standing::NotNeeded, Standing::Acts]);
     }
 
     #[test]
-    fn tails_are_those_of_tables() {
-        // Abramowitz & Stegun, table 26.8: 5 % and 1 % points.
-        for (x, i, p) in
-            [(3.84146, 0, 0.05), (6.63490, 0, 0.01), (9.21034, 1, 0.01), (11.3449, 2, 0.01)]
-        {
-            assert!((tails(x)[i] / p - 1.0).abs() < 1e-4, "{x} {:?}", tails(x));
+    fn a_law_whose_own_interval_holds_none_is_open() {
+        let acts = || Verdict {
+            mix: mix([true, false, true]),
+            alternatives: vec![],
+            laws: [Standing::Acts, Standing::NotNeeded, Standing::Acts],
+            p_values: [None; 3],
+        };
+        let parameter = |name, value, stderr, low| Parameter {
+            name,
+            value: Some(value),
+            stderr,
+            interval95: (low, None),
+            at_bound: false,
+        };
+        // As the interval says, as the standard error does, and where there is none.
+        let doubts =
+            [(Some(0.2), Some(0.0)), (Some(0.3), Some(0.1)), (None, Some(0.1)), (Some(0.1), None)];
+        for (stderr, low) in doubts.into_iter().chain([(Some(0.1), Some(0.2))]) {
+            let stokes = parameter("damping_rate", 1.0, Some(0.01), Some(0.98));
+            let newton = parameter("newton_rate", 0.41, stderr, low);
+            let mut verdict = acts();
+            verdict.doubt(&[stokes, newton]);
+            if low == Some(0.2) {
+                assert_eq!(verdict, acts());
+            } else {
+                assert_eq!(verdict.laws, [Standing::Acts, Standing::NotNeeded, Standing::Open]);
+                assert_eq!(verdict.alternatives, [mix([true, false, false])]);
+            }
         }
+    }
+
+    #[test]
+    fn nested_mixes_are_compared_wherever_the_mass_rests() {
+        let candidate =
+            |laws, cost, lowest| Candidate { mix: mix(laws), core: mix(laws), cost, lowest };
+        let (all, dry, stokes) = ([true; 3], [true, true, false], [true, false, false]);
+        // Shown with the natural rest, though another fits better.
+        let candidates = vec![
+            candidate(all, 1.0, 1.0),
+            candidate(dry, 1.02, 1.001),
+            candidate([false, true, true], 1.5, 1.5),
+            candidate([true, false, true], 1.5, 1.5),
+            candidate(stokes, 1.5, 1.5),
+        ];
+        let verdict = verdict(&Ranking { candidates, effective: 1000.0 }).expect("a verdict");
+        assert_eq!((verdict.mix, verdict.alternatives), (mix(dry), vec![]));
+        assert_eq!(verdict.laws[2], Standing::NotNeeded);
     }
 }

@@ -4,10 +4,11 @@ use federpendel::Mix;
 
 use crate::Quantity;
 use crate::adequacy::Adequacy;
+use crate::clipping::Clipping;
 use crate::least_squares::StopReason;
 use crate::noise::Excess;
 use crate::options::{Laws, Loss};
-use crate::ranking::{Criteria, Verdict};
+use crate::ranking::{Criteria, Ranking, Verdict};
 use crate::reach::Reach;
 use crate::stop::Rest;
 use crate::window::Window;
@@ -57,9 +58,10 @@ impl Model {
         self.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    /// The value of the parameter of this name; zero for a law that the mix has not.
+    /// The value of the parameter of this name, or the least where only that is known; zero for a law that the mix has not.
     pub fn value(&self, name: &str) -> f64 {
-        self.parameter(name).and_then(|parameter| parameter.value).unwrap_or(0.0)
+        let known = |parameter: &Parameter| parameter.value.or(parameter.interval95.0);
+        self.parameter(name).and_then(known).unwrap_or(0.0)
     }
 }
 
@@ -84,6 +86,11 @@ pub struct FitReport {
     pub models: Vec<Model>,
     /// Which laws act.
     pub verdict: Verdict,
+    /// What that follows from.
+    pub ranking: Ranking,
+    /// Where a mix was asked for that is not that of all laws: with this probability one with further laws fits better by as
+    /// much, if it were right.
+    pub asked_rejection: Option<f64>,
     /// Whether the verdict's mix describes the motion, and what is wrong where not.
     pub adequacy: Adequacy,
     /// The shares of Stokes, Coulomb and Newton friction in the energy lost in the window; none if nothing
@@ -95,6 +102,8 @@ pub struct FitReport {
     pub residuals: Vec<f64>,
     /// How many residuals are far too large for the noise of the others.
     pub outliers: usize,
+    /// Where the sensor clipped the swings, if it did.
+    pub clipping: Option<Clipping>,
     /// How residuals counted.
     pub loss: Loss,
     /// Evaluations of the model, of all mixes together.

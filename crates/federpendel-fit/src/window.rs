@@ -3,6 +3,7 @@
 use crate::Recording;
 use crate::check::FEWEST;
 use crate::extremes::{Extreme, Look, bounds, look, median};
+use crate::stopped::decay;
 
 /// Why a window begins or ends where it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -24,6 +25,10 @@ pub enum Edge {
     /// After this swings no longer shrink: something else keeps the mass in motion, as the ground
     /// does.
     Unrest,
+    /// After this a hand or the like stopped the mass.
+    Stopped,
+    /// Before this the sensor clipped the swings.
+    Clipped,
 }
 
 /// The part of a recording that is fitted.
@@ -66,10 +71,27 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     let first = from.map_or(0, |from| times.partition_point(|&t| t < from));
     let end = to.map_or(times.len(), |to| times.partition_point(|&t| t <= to)).max(first + 1);
     let mut window = Window::between(times, first.min(end - 1), end, given(from), given(to));
-    let whole = look(&times[window.first..end], &recording.values[window.first..end]);
+    let seen = |window: &Window| {
+        let part = window.first..window.end;
+        look(&times[part.clone()], &recording.values[part])
+    };
+    let mut whole = seen(&window);
+    let part = whole.as_ref().map(|look| decay(&times[window.first..end], look));
+    let part = part.unwrap_or_default();
+    if let Some((last, edge)) = part.to.filter(|_| to.is_none()) {
+        window = cut(times, window, last, edge);
+    }
+    if let Some(held) = part.from.filter(|_| from.is_none()) {
+        let first = times.partition_point(|&t| t < held);
+        window = Window::between(times, first, window.end, Edge::Held, window.ends);
+    }
+    if window.end - window.first < end - first {
+        whole = seen(&window);
+    }
+    let Window { first, end, begins, ends, .. } = window;
     if let Some(look) = &whole {
         if from.is_none() {
-            let (start, edge) = start(times, look);
+            let (start, edge) = start(&times[first..], look);
             if edge != Edge::Recording {
                 let first = times.partition_point(|&t| t < start).min(end - 1);
                 window = Window::between(times, first, end, edge, window.ends);
@@ -81,14 +103,10 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     }
     // Too little would be left: rather the whole.
     if window.end - window.first < FEWEST {
-        window = Window::between(times, first.min(end - 1), end, given(from), given(to));
+        window = Window::between(times, first.min(end - 1), end, begins, ends);
     }
-    let look = if window.end - window.first < end - first {
-        let part = window.first..window.end;
-        look(&times[part.clone()], &recording.values[part]).or(whole)
-    } else {
-        whole
-    };
+    let look =
+        if window.end - window.first < end - first { seen(&window).or(whole) } else { whole };
     Found { window, look }
 }
 
@@ -175,7 +193,7 @@ fn ended(times: &[f64], window: Window, look: &Look) -> Window {
 
 /// Steps without values longer than this share of half a period hide turning points, and values beside them
 /// look like some.
-const GAP: f64 = 0.3;
+pub const GAP: f64 = 0.3;
 
 /// Where longer steps begin and end.
 fn gaps(times: &[f64], half: f64) -> Vec<(f64, f64)> {

@@ -2,7 +2,7 @@
 
 use federpendel::{Coulomb, Friction, Motion, NormalForce, Oscillator, Sample, State};
 use federpendel_fit::{
-    Fault, FitError, FitReport, Loss, Options, Quantity, Recording, Standing, fit,
+    Fault, Finding, FitError, FitReport, Loss, Options, Quantity, Recording, Standing, fit,
 };
 
 mod synthetic;
@@ -178,5 +178,25 @@ fn a_gap_does_not_end_the_recording() {
             );
             assert_eq!(report.verdict.laws[0], Standing::Acts, "{gap:?}");
         }
+    }
+}
+
+#[test]
+fn a_period_that_changes_a_little_makes_a_verdict_doubtful() {
+    // The phase of a frequency that is higher by `by` A² than at small amplitudes: a weakly cubic spring.
+    let decay = |by: f64, t: f64| {
+        let ahead = by * OMEGA * (1.0 - (-0.2 * t).exp()) / 0.2;
+        0.1 * (-0.1 * t).exp() * (OMEGA * t + ahead).cos()
+    };
+    for (by, fault) in
+        [(6e-3, Some(Fault::Hardening)), (-6e-3, Some(Fault::Softening)), (0.0, None)]
+    {
+        let mut random = Random(3);
+        let adequacy =
+            report(&recording(times(), |t| decay(by, t) + 5e-4 * random.normal())).adequacy;
+        assert!(adequacy.adequate, "{adequacy:?}");
+        assert_eq!(adequacy.slight().map(|finding| finding.fault), fault, "{adequacy:?}");
+        let close = |finding: &Finding| (0.5..1.5).contains(&(finding.effect / by.abs()));
+        assert!(adequacy.slight().is_none_or(close), "{adequacy:?}");
     }
 }

@@ -3,7 +3,7 @@
 use std::io::{Cursor, Write};
 
 use federpendel_fit::Quantity;
-use federpendel_fit::read::{Choice, Container, Read, ReadError, recordings};
+use federpendel_fit::read::{Choice, Container, Decimal, Read, ReadError, recordings};
 use rust_xlsxwriter::{Format, Workbook};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -36,6 +36,7 @@ fn an_archive_of_phyphox() {
     assert_eq!(read.dialect.container, Container::Zip);
     assert_eq!(read.dialect.table.as_deref(), Some("Raw Data.csv"));
     assert!(recordings(&bytes[..bytes.len() / 2], &Choice::default()).is_err());
+    assert!(one(&archive(&[("bench.lvm", TABLE)]), &Choice::default()).is_ok());
 }
 
 #[test]
@@ -95,8 +96,8 @@ fn errors_in_a_workbook_name_its_rows() {
     }
     sheet.write(7, 1, "lost").unwrap();
     let read = one(&book.save_to_buffer().unwrap(), &Choice::default());
-    let (column, value) = ("x (m)".to_owned(), "lost".to_owned());
-    assert_eq!(read, Err(ReadError::NoNumber { line: 8, column, value }));
+    let (column, value, decimal) = ("x (m)".to_owned(), "lost".to_owned(), Decimal::Point);
+    assert_eq!(read, Err(ReadError::NoNumber { line: 8, column, value, decimal }));
 }
 
 /// Written by xlwt 1.3: times 0, 0.25, …, of two components the second oscillates more.

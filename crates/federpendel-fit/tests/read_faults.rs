@@ -2,7 +2,7 @@
 
 mod reader;
 
-use federpendel_fit::read::{Choice, Field, Found, Note, ReadError, Rows, recordings};
+use federpendel_fit::read::{Choice, Decimal, Field, Found, Note, ReadError, Rows, recordings};
 use reader::{fails, read};
 
 fn rows(count: usize, first_line: usize) -> Rows {
@@ -77,8 +77,10 @@ fn recordings_below_each_other_are_runs() {
 #[test]
 fn broken_rows_are_refused_with_their_line() {
     let cell = |text: &str| fails(&format!("t (s);x (m)\n0;1,5\n1;2,5\n2;{text}\n3;1,5\n4;2\n"));
-    let no_number =
-        |value: &str| ReadError::NoNumber { line: 4, column: "x (m)".into(), value: value.into() };
+    let no_number = |value: &str| {
+        let (column, value, decimal) = ("x (m)".into(), value.into(), Decimal::Comma);
+        ReadError::NoNumber { line: 4, column, value, decimal }
+    };
     for text in ["1.234,5", "1.5", "1 234", "abc", "12:30", "1,5 m", "1e"] {
         assert_eq!(cell(text), no_number(text));
     }
@@ -96,8 +98,22 @@ fn broken_rows_are_refused_with_their_line() {
     let first = fails("t,x\n0,1,2\n1,1\n2,1\n3,2\n4,5\n");
     assert_eq!(first, ReadError::Cells { line: 2, found: 3, expected: 2 });
     let grouped = fails("t,x\n0,\"1,234.5\"\n1,2.5\n2,1.5\n3,2\n4,5\n");
-    let expected = ReadError::NoNumber { line: 2, column: "x".into(), value: "1,234.5".into() };
+    let (column, value, decimal) = ("x".into(), "1,234.5".into(), Decimal::Point);
+    let expected = ReadError::NoNumber { line: 2, column, value, decimal };
     assert_eq!(grouped, expected);
+}
+
+#[test]
+fn a_column_of_values_without_a_number_is_refused_at_its_first_cell() {
+    // Words, and points where the times have commas.
+    for (text, column, value, decimal) in [
+        ("t (s),a (m/s^2)\n0,err\n1,#NV\n2,err\n3,#NV\n", "a (m/s^2)", "err", Decimal::Point),
+        ("t;x\n0,5;-0.1\n1,5;0.2\n2,5;0.1\n3,5;0.3\n", "x", "-0.1", Decimal::Comma),
+        ("t,n,note,x (m)\n0,0,a,b\n1,1,a,b\n2,2,a,b\n3,3,a,b\n", "x (m)", "b", Decimal::Point),
+    ] {
+        let (column, value) = (column.to_owned(), value.to_owned());
+        assert_eq!(fails(text), ReadError::NoNumber { line: 2, column, value, decimal });
+    }
 }
 
 #[test]
@@ -107,8 +123,8 @@ fn headers_that_do_not_fit_are_refused() {
     let found = fails("a,b,c\n0,1\n1,2\n2,1\n3,2\n");
     assert_eq!(found, ReadError::HeaderCells { line: 1, found: 3, expected: 2 });
     let clock = fails("Time,x (m)\n12:30:05,1\n12:30:06,2\n12:30:67,1\n12:30:08,2\n");
-    let (column, value) = ("Time".to_owned(), "12:30:67".to_owned());
-    assert_eq!(clock, ReadError::NoNumber { line: 4, column, value });
+    let (column, value, decimal) = ("Time".into(), "12:30:67".into(), Decimal::Point);
+    assert_eq!(clock, ReadError::NoNumber { line: 4, column, value, decimal });
     assert!(matches!(fails("t (s),x (m)\n"), ReadError::NoRows { line: 1, .. }));
     let unit = fails("Time (frames),x (m)\n0,1\n1,2\n2,1\n3,2\n");
     assert!(matches!(unit, ReadError::TimeUnit { ref unit, .. } if unit == "frames"), "{unit:?}");
@@ -190,4 +206,19 @@ fn a_rate_beside_a_column_of_times() {
     let both = Choice { time: Some("t".into()), ..rate };
     let refused = Err(ReadError::RateAndTime { time: "t".into() });
     assert_eq!(recordings(text.as_bytes(), &both), refused);
+}
+
+#[test]
+fn digits_in_groups_are_refused_where_they_stand() {
+    for text in [
+        "Zeit in s;Weg in mm\n0,00;1.299,6\n0,02;1.295,6\n0,04;999,1\n",
+        "Zeit in ms;Weg in mm\n0;1.299,6\n20;1.295,6\n40;1.280,1\n",
+        "time (s),position (mm)\n0.00,\"1,299.6\"\n0.02,\"1,295.6\"\n0.04,\"1,280.1\"\n",
+    ] {
+        let error = fails(text);
+        let ReadError::NoNumber { line: 2, column, .. } = &error else {
+            panic!("{error:?}\n{text}")
+        };
+        assert!(column.ends_with("mm") || column.ends_with("(mm)"), "{column}");
+    }
 }

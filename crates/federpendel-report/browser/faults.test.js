@@ -19,6 +19,7 @@ const open = (body, work) => visit(browser, pageOf(body), look, work);
 describe('faults', () => {
   const faults = {
     overflow: ['<p style="width:500px">', '<p style="position:absolute;left:-9px">a'],
+    sideways: ['<div style="overflow-x:auto"><div class="caption" style="width:500px">a</div></div>'],
     headings: ['<h1>a</h1><h3>b</h3>', '<h2>a</h2>', '<h1>a</h1><h1>b</h1>'],
     links: ['<a href="#nowhere">a</a>', '<a href="http://example.org">a</a>', '<p id="a"><p id="a">'],
     drawings: ['<svg role="img"><title>a</title><desc>b</desc></svg>', '<svg role="img" aria-labelledby="a"><title id="a">a</title></svg>'],

@@ -16,6 +16,14 @@ export function overflow() {
   return wrong;
 }
 
+// Captions, and what is said below a row, are read without scrolling sideways.
+export function sideways() {
+  const wide = document.documentElement.clientWidth;
+  return [...document.querySelectorAll('.caption, .below p')]
+    .filter((element) => element.getBoundingClientRect().right > wide + 0.5)
+    .map((element) => element.textContent.slice(0, 90));
+}
+
 // Headings begin with one of the first level, and none skips a level.
 export function headings() {
   const levels = [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')].map((it) => Number(it.tagName[1]));

@@ -120,11 +120,13 @@ pub struct Row {
     pub target: Option<String>,
     /// Whether it stands out among the others.
     pub marked: bool,
+    /// What is said of the row below its cells, over the whole width; empty if nothing.
+    pub below: String,
 }
 
 impl From<Vec<String>> for Row {
     fn from(cells: Vec<String>) -> Self {
-        Row { cells, target: None, marked: false }
+        Row { cells, target: None, marked: false, below: String::new() }
     }
 }
 

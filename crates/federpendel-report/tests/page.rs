@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use federpendel_report::document::literal;
+use federpendel_report::document::{Row, literal};
 use federpendel_report::html::{PageError, page};
 use federpendel_report::{Block, Claim, Document, Section, Verdict};
 use federpendel_text::{Catalogue, Language};
@@ -136,4 +136,30 @@ fn figures_are_numbered_through_all_sections() {
     assert!(page.contains("<h3>Only</h3>"), "{page}");
     assert!(page.contains("<strong>Abbildung 2</strong>"), "{page}");
     assert!(page.contains("<a href=\"#below\">"), "{page}");
+}
+
+#[test]
+fn a_table_says_what_it_holds_before_it_scrolls_and_long_names_may_break() {
+    let row = |name: &str| Row {
+        target: Some("only".to_owned()),
+        below: "So ist es.".to_owned(),
+        ..Row::from(vec![name.to_owned(), "1".to_owned()])
+    };
+    let rows = [row("01_a_german.csv"), row("a_recording-of/the-third-bench.csv")];
+    let table = |count: usize| Block::Table {
+        caption: "Alle.".to_owned(),
+        head: vec!["Name".to_owned(), "Wert".to_owned()],
+        rows: rows.iter().cycle().take(count).cloned().collect(),
+    };
+    let page = german(vec![table(2), table(20)]).expect("a page");
+    let caption = "<p class=\"caption\" id=\"table-1\"><strong>Tabelle 1</strong> Alle.</p>\n<div class=\"wide\"";
+    assert!(page.contains(caption), "{page}");
+    assert!(page.contains("<table aria-labelledby=\"table-1\">"), "{page}");
+    assert!(page.contains("<table aria-labelledby=\"table-2\" class=\"long\">"), "{page}");
+    assert!(page.contains(">01_a_german.csv</a>"), "{page}");
+    assert!(
+        page.contains(">a_<wbr/>recording-<wbr/>of/<wbr/>the-<wbr/>third-<wbr/>bench.csv</a>"),
+        "{page}"
+    );
+    assert!(page.contains("<td colspan=\"2\"><p>So ist es.</p></td>"), "{page}");
 }

@@ -5,7 +5,7 @@ use federpendel::{
 };
 use federpendel_fit::read::{Choice, recordings};
 use federpendel_fit::{Options, fit, ranking::LEVEL};
-use federpendel_report::recording::{Fitted, document};
+use federpendel_report::recording::{Fitted, document, sentences};
 use federpendel_report::{Block, Document, Section, html};
 use federpendel_text::{Catalogue, Language};
 
@@ -83,7 +83,7 @@ fn pendulum() -> String {
 }
 
 fn english(fits: &[Fitted]) -> Document {
-    document(fits, &Catalogue::new(Language::English))
+    document(fits, &[], &Catalogue::new(Language::English))
 }
 
 /// The document as lines. How often the model was computed may differ from one processor to the next.
@@ -120,7 +120,9 @@ fn block_lines(block: &Block) -> String {
         Block::Table { caption, head, rows } => {
             let rows = rows.iter().map(|row| {
                 let mark = if row.marked { "*" } else { " " };
-                format!("  {mark} {}\n", row.cells.join(" | "))
+                let below = Some(&row.below).filter(|below| !below.is_empty());
+                let below = below.map(|below| format!("      {below}\n")).unwrap_or_default();
+                format!("  {mark} {}\n{below}", row.cells.join(" | "))
             });
             format!("{caption}\n    {}\n{}", head.join(" | "), rows.collect::<String>())
         }
@@ -151,7 +153,36 @@ fn a_recording_without_units() {
 fn a_velocity_in_german() {
     let drag = motion(Newton::new(0.5).expect("a law"));
     let fit = fitted("geschwindigkeit.csv", &velocities(&drag, 2e-3));
-    insta::assert_snapshot!(lines(&document(&[fit], &Catalogue::new(Language::German))));
+    insta::assert_snapshot!(lines(&document(&[fit], &[], &Catalogue::new(Language::German))));
+}
+
+/// 12 s of positions from a sensor that clips them.
+#[test]
+fn a_sensor_that_clips_is_said() {
+    let times = even_times(12.0, 1201).expect("times");
+    let clipped = |range: f64, from: Option<f64>, language: Language| {
+        let mut noise = noise(7);
+        let samples = mixed().samples(&times).expect("samples");
+        let value = |position: f64| (position + 5e-4 * noise()).clamp(-range, range);
+        let values: Vec<f64> = samples.iter().map(|sample| sample.position).map(value).collect();
+        let file = file("t (s),x (m)", &times, values.into_iter(), 0.0);
+        let read = recordings(file.as_bytes(), &Choice::default()).expect("a recording").remove(0);
+        let options = Options { from, ..Options::default() };
+        let report = fit(&read.recording, &options).expect("a fit");
+        let fit = Fitted::new("clipped.csv".to_owned(), read, report);
+        sentences(&fit, &Catalogue::new(language)).join(" ")
+    };
+    let left_out = clipped(0.07, None, Language::English);
+    let said = "The values stop at −7 cm and 7 cm at 5 turning points: the sensor clips there. \
+                Only what follows, from";
+    assert!(left_out.contains(said), "{left_out}");
+    let asked = clipped(0.07, Some(0.02), Language::German);
+    assert!(asked.contains("Dort schneidet der Sensor ab. Später beginnen, mit --from"), "{asked}");
+    let most = clipped(0.04, None, Language::English);
+    assert!(most.contains("the sensor clips there. "), "{most}");
+    for sentences in [left_out, asked, most] {
+        assert!(!sentences.contains("tukey") && !sentences.contains("release"), "{sentences}");
+    }
 }
 
 #[test]
@@ -179,7 +210,7 @@ fn pages_are_well_formed_in_both_languages_whatever_a_file_is_called() {
         let catalogue = Catalogue::new(language);
         for count in [1, 2, 6] {
             let fits: Vec<_> = (0..count).map(|_| fitted(name, &mixed)).collect();
-            let page = html::page(&document(&fits, &catalogue), &catalogue).expect("a page");
+            let page = html::page(&document(&fits, &[], &catalogue), &catalogue).expect("a page");
             let page = page.replace("<!DOCTYPE html>", "");
             let wellformed = roxmltree::Document::parse(&closed(&page)).map(|_| ());
             assert!(wellformed.is_ok(), "{wellformed:?}");
@@ -274,4 +305,21 @@ fn a_mix_without_an_acting_law_is_rejected() {
             (false, _) => assert!(p.is_some_and(|p| p < LEVEL), "{:?}: {p:?}", model.mix),
         }
     }
+}
+
+/// A period that falls a little towards large swings is said with the verdict, not only among the details.
+#[test]
+fn a_slight_fault_is_said_with_the_verdict() {
+    let times = even_times(20.0, 1001).expect("times");
+    let value = |t: f64| {
+        let ahead = 0.03 * (1.0 - (-0.2 * t).exp()) / 0.2;
+        0.1 * (-0.1 * t).exp() * (5.0 * t + ahead).cos()
+    };
+    let fit = fitted("m.csv", &file("t (s),x (m)", &times, times.iter().map(|&t| value(t)), 5e-4));
+    let said = sentences(&fit, &Catalogue::new(Language::English)).join(" ");
+    assert!(said.starts_with("Viscous (Stokes) friction"), "{said}");
+    assert!(
+        said.contains("The period falls by 0.") && said.contains("more than their errors"),
+        "{said}"
+    );
 }

@@ -109,7 +109,7 @@ macro_rules! locale {
 macro_rules! locales {
     ($folder:literal) => {
         (
-            locale!($folder, "program", "fit", "page", "physical", "measured"),
+            locale!($folder, "program", "fit", "page", "physical", "measured", "doubt"),
             #[cfg(feature = "programs")]
             locale!(
                 $folder, "article", "check", "sketch", "plan", "command", "report", "asked",

@@ -30,5 +30,5 @@ pub mod table;
 
 pub use catalogue::{Catalogue, Value};
 pub use describe::ParameterText;
-pub use excerpt::excerpt;
+pub use excerpt::{excerpt, plain};
 pub use language::Language;

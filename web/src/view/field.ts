@@ -44,7 +44,7 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
   let waiting = 0;
   const wrong = h("p", { id: `${id}-wrong`, class: "wrong", hidden: true });
 
-  const say = (message: string) => refuse(number, wrong, message);
+  const tell = (message: string) => refuse(number, wrong, message);
   const written = (value: number) => app.engine.number(app.state.language, value, DIGITS);
   function place(value: number): void {
     const step = onScale(slider, value);
@@ -53,8 +53,8 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
   }
   number.addEventListener("input", () => {
     const read = app.engine.parse(app.state.language, number.value, name);
-    if (isRefusal(read)) return say(read.message);
-    say("");
+    if (isRefusal(read)) return tell(read.message);
+    tell("");
     given = read.value;
     change(read.value);
   });
@@ -70,7 +70,7 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
   range.addEventListener("pointercancel", () => give(before));
 
   function give(value: number): void {
-    say("");
+    tell("");
     number.value = written(value);
     given = value;
     // A slider moves more often than a screen shows.
@@ -88,14 +88,14 @@ export function field(app: App, parameter: Parameter, change: (value: number) =>
       const elsewhere = value !== current && value !== given;
       current = value;
       place(value);
-      if (elsewhere) say("");
+      if (elsewhere) tell("");
       const typing = document.activeElement === number || number.hasAttribute("aria-invalid");
       if (elsewhere || !typing) number.value = written(value);
     },
     forget() {
-      say("");
+      tell("");
       number.value = written(current);
     },
-    refuse: say,
+    refuse: tell,
   };
 }

@@ -1,6 +1,7 @@
 //! clap's refusals in the user's language.
 
 use std::ffi::OsString;
+use std::path::Path;
 
 use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -86,6 +87,14 @@ pub(super) fn sentence(
 }
 
 fn unknown_command(catalogue: &Catalogue, word: &str) -> String {
+    let file = Path::new(word);
+    if file.is_file() {
+        // An experiment is simulated, all else may be a recording.
+        let experiment = file.extension().is_some_and(|extension| extension == "toml");
+        let command = if experiment { "simulate" } else { "fit" };
+        let variables = [("file", word.into()), ("command", command.into())];
+        return catalogue.format("cli-file-without-command", &variables);
+    }
     match nearest(word, COMMANDS) {
         None => catalogue.format(
             "cli-unknown-command",

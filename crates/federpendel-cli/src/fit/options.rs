@@ -89,6 +89,10 @@ pub fn laws(written: Option<&str>, catalogue: &Catalogue) -> Result<Laws, Failur
                     "stokes" => mix.stokes = true,
                     "coulomb" => mix.coulomb = true,
                     "newton" => mix.newton = true,
+                    "none" | "auto" => {
+                        let variables = [("value", name.trim().into())];
+                        return Err(Failure::Input(catalogue.format("fit-laws-alone", &variables)));
+                    }
                     other => {
                         let variables = [("value", other.into())];
                         return Err(Failure::Input(

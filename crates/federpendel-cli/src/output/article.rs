@@ -57,7 +57,7 @@ impl ArticleReport<'_> {
                 content.extend(self.page(edition, catalogue)?.into_bytes());
             } else {
                 let written = json::write_article(self.checks, catalogue, &mut content);
-                let name = path.display().to_string();
+                let name = crate::load::shown(path);
                 written.map_err(|error| Failure::system(catalogue, &name, &error))?;
             }
             contents.push(content);

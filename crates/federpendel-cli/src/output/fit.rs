@@ -52,11 +52,12 @@ fn render(
         }
         (Format::Html, _) => {
             // Only a mistake in the catalogue or the template can fail here, which tests have found.
-            let page = html::page(&document(&fits.fitted, catalogue), catalogue);
+            let failed: Vec<_> = fits.failed.iter().map(|one| one.failure.sentence()).collect();
+            let page = html::page(&document(&fits.fitted, &failed, catalogue), catalogue);
             out.write_all(page.map_err(io::Error::other)?.as_bytes())
         }
         (Format::Json, _) => json::write_fits(fits, catalogue, out),
-        (Format::Csv, fitted) => csv::write(fitted, targets.dialect, catalogue, out),
+        (Format::Csv, _) => csv::write(fits, targets.dialect, catalogue, out),
         (Format::Summary, [fit]) => summary::write(fit, picture, targets, catalogue, out),
         (Format::Summary, many) => summary::write_many(many, picture, targets, catalogue, out),
         _ => Err(io::ErrorKind::Unsupported.into()),

@@ -1,6 +1,6 @@
 //! Which outputs are asked for, checked before anything is computed.
 
-use std::path::{Path, PathBuf, absolute};
+use std::path::{Path, PathBuf, absolute, is_separator};
 
 use federpendel_text::Catalogue;
 use federpendel_text::plot::draw::Background;
@@ -56,7 +56,7 @@ impl Targets {
         let mut taken: Vec<PathBuf> = read.iter().map(|path| real(path)).collect();
         let mut asks_stdout = false;
         for path in &results.outputs {
-            let name = path.display().to_string();
+            let name = crate::load::shown(path);
             let refuse =
                 |id| Failure::Input(catalogue.format(id, &[("name", name.clone().into())]));
             let place = if path == Path::new(STDOUT) { path.clone() } else { real(path) };
@@ -68,7 +68,7 @@ impl Targets {
                 asks_stdout = true;
                 continue;
             }
-            if path.is_dir() {
+            if path.is_dir() || path.to_string_lossy().ends_with(is_separator) {
                 return Err(refuse("cli-output-folder"));
             }
             // A link that leads in a circle is one still.
@@ -104,7 +104,7 @@ fn in_a_folder(path: &Path, name: &str, catalogue: &Catalogue) -> Result<(), Fai
     match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists()) {
         None => Ok(()),
         Some(folder) => {
-            let folder = folder.display().to_string();
+            let folder = crate::load::shown(folder);
             let variables = [("name", name.into()), ("folder", folder.into())];
             Err(Failure::System(catalogue.format("cli-output-nowhere", &variables)))
         }

@@ -16,8 +16,7 @@ pub(super) fn write<Form: Copy>(
     catalogue: &Catalogue,
     render: impl Fn(Form, &mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let failed =
-        |path: &Path, error| Failure::system(catalogue, &path.display().to_string(), &error);
+    let failed = |path: &Path, error| Failure::system(catalogue, &crate::load::shown(path), &error);
     let mut written: Vec<(TempPath, &PathBuf, PathBuf)> = Vec::new();
     for (path, format) in files {
         // A link stays a link: what it points to is replaced.

@@ -203,7 +203,8 @@ fn allowed(bytes: u64) -> Result<(), ReadError> {
 /// Whether a file of an archive may be a table: phyphox keeps notes on the device under meta/, macOS others of its own.
 fn is_table(name: &str) -> bool {
     let small = name.to_lowercase();
-    let known = [".csv", ".txt", ".tsv", ".dat", ".asc"].iter().any(|end| small.ends_with(end));
+    let known =
+        [".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm"].iter().any(|end| small.ends_with(end));
     let aside =
         small.split('/').any(|part| matches!(part, "meta" | "__macosx") || part.starts_with('.'));
     known && !aside

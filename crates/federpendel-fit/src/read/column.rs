@@ -226,7 +226,8 @@ impl Table<'_> {
             self.choice.quantity.is_none_or(|asked| self.headings[**at].quantity() == Some(asked))
         };
         let Some(first) = all.iter().find(asked).or(all.first()) else {
-            return Err(ReadError::NoValue { columns: self.labels() });
+            let garbled = self.garbled(group).map(|at| (at, Vec::new()));
+            return garbled.ok_or_else(|| ReadError::NoValue { columns: self.labels() });
         };
         let kind = |at: usize| {
             let heading = &self.headings[at];
@@ -244,6 +245,19 @@ impl Table<'_> {
             }
         }
         Ok((best, all.into_iter().filter(|at| *at != best).collect()))
+    }
+
+    /// A column of words that its heading says holds values: the first of them is refused with its line.
+    fn garbled(&self, group: &Group) -> Option<usize> {
+        let garbled = |at: &usize| {
+            let heading = &self.headings[*at];
+            Some(*at) != group.time
+                && self.sizes[*at].has_texts()
+                && !(self.is_count(*at) || heading.is_magnitude() || heading.is_time())
+        };
+        let named = |at: &usize| self.headings[*at].quantity().is_some();
+        let all = || group.members.iter().copied().filter(garbled);
+        all().find(named).or_else(|| all().next())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Why a file is refused: what was found, where, and what is allowed.
 
+use super::number::Decimal;
 use super::system::SystemError;
 
 /// What a file is instead of a table.
@@ -164,6 +165,8 @@ pub enum ReadError {
         column: String,
         /// What it holds.
         value: String,
+        /// The decimal sign of the file.
+        decimal: Decimal,
     },
     /// A number beyond [`LARGEST_NUMBER`](super::LARGEST_NUMBER).
     #[error("line {line}, {column}: {value} is beyond {most}")]

@@ -8,6 +8,7 @@ use super::comma;
 use super::error::{Found, ReadError};
 use super::header::{Width, header_cells, headings, trimmed_width};
 use super::heading::Heading;
+use super::labview;
 use super::line::{Cells, Line, Lines, Separator, decode, excerpt, line_end};
 use super::number::{self, Cell, Decimal};
 use super::text::Text;
@@ -60,6 +61,8 @@ impl Look {
                 match number::read(cell, decimal) {
                     Cell::Number(_) => numbers += 1,
                     Cell::Text if number::clock(cell).is_some() => numbers += 1,
+                    // A number to who wrote it: refused where it is read, with its separators, not split at them.
+                    Cell::Text if number::is_grouped(cell, decimal) => numbers += 1,
                     Cell::Text => texts += 1,
                     Cell::Missing => {}
                 }
@@ -145,8 +148,13 @@ impl Layout {
             .take(SAMPLE.0)
             .collect();
         let Some(top) = all.first() else { return Err(ReadError::Empty) };
-        let sample: Vec<Line> = all.iter().filter(|line| !line.is_comment()).copied().collect();
-        let mut look = best_look(&sample);
+        let labview = labview::Header::split(&all);
+        let table = labview.as_ref().map_or(&all[..], |(_, table)| table);
+        // There, too, every cell stands in its column.
+        let aligned = aligned || labview.is_some();
+        let sample: Vec<Line> = table.iter().filter(|line| !line.is_comment()).copied().collect();
+        let separator = labview.as_ref().and_then(|(said, _)| said.separator());
+        let mut look = best_look(&sample, separator);
         let (over, rows) = sample.split_at(look.lines.iter().position(|line| line.1).unwrap_or(0));
         if look.separator == Separator::Comma && comma::are_decimal(over.last(), rows)? {
             look = Look::new(&sample, Separator::Tab, Decimal::Comma);
@@ -155,14 +163,20 @@ impl Layout {
         let Some(first) = look.first(&sample) else { return Err(without_rows(top, &sample)) };
         let row = sample[first];
         let above: Vec<Line> =
-            all.iter().take_while(|line| line.number < row.number).copied().collect();
+            table.iter().take_while(|line| line.number < row.number).copied().collect();
         let width = look.width(&sample);
         if width.most > MOST_COLUMNS {
             return Err(ReadError::TooManyColumns { found: width.most, most: MOST_COLUMNS });
         }
         let named = headings(&above, look.separator, width)?;
         let header = named.is_some();
-        let headings = named.unwrap_or_else(|| (0..width.least).map(Heading::numbered).collect());
+        let mut headings: Vec<Heading> =
+            named.unwrap_or_else(|| (0..width.least).map(Heading::numbered).collect());
+        let mut preamble: Vec<String> = above.iter().map(|line| decode(line.text)).collect();
+        if let Some((said, _)) = labview {
+            said.name_units(&mut headings);
+            preamble.extend(said.step());
+        }
         Ok(Layout {
             separator: look.separator,
             decimal: look.decimal,
@@ -170,7 +184,7 @@ impl Layout {
             least: least.min(headings.len()),
             headings,
             header,
-            preamble: above.iter().map(|line| decode(line.text)).collect(),
+            preamble,
             start: row.start,
             line: row.number,
         })
@@ -209,9 +223,12 @@ fn decimal_sign(rows: &[u8]) -> Option<u8> {
     memchr2_iter(b'.', b',', rows).find(within).map(|at| rows[at])
 }
 
-fn best_look(sample: &[Line]) -> Look {
-    let mut best = Look::new(sample, Separator::Tab, Decimal::Point);
-    for separator in Separator::ALL {
+/// The look with most numbers, of those with this separator if it is known.
+fn best_look(sample: &[Line], known: Option<Separator>) -> Look {
+    let mut best = Look::new(sample, known.unwrap_or(Separator::Tab), Decimal::Point);
+    for separator in
+        Separator::ALL.into_iter().filter(|one| known.is_none_or(|known| known == *one))
+    {
         for decimal in [Decimal::Point, Decimal::Comma] {
             let look = Look::new(sample, separator, decimal);
             if look.score > best.score {

@@ -18,6 +18,7 @@ mod encoding;
 mod error;
 mod header;
 mod heading;
+mod labview;
 mod layout;
 mod line;
 mod meaning;

@@ -129,6 +129,24 @@ pub(super) fn clock(cell: &[u8]) -> Option<f64> {
     Some((whole(hours)? * 60.0 + minutes) * 60.0 + seconds.filter(sixty)?)
 }
 
+/// Whether a cell is a number with a decimal sign and its digits in groups of three before it, by the other sign: "1.234,5".
+pub(super) fn is_grouped(cell: &[u8], decimal: Decimal) -> bool {
+    let (sign, between) = match decimal {
+        Decimal::Point => (b'.', b','),
+        Decimal::Comma => (b',', b'.'),
+    };
+    let cell = cell.strip_prefix(b"-").unwrap_or(cell);
+    let Some(at) = cell.iter().position(|byte| *byte == sign) else { return false };
+    let digits = |part: &[u8]| !part.is_empty() && part.iter().all(u8::is_ascii_digit);
+    let mut groups = cell[..at].split(|byte| *byte == between);
+    let first = groups.next().is_some_and(|group| digits(group) && group.len() <= 3);
+    let mut others = groups.peekable();
+    first
+        && others.peek().is_some()
+        && others.all(|group| digits(group) && group.len() == 3)
+        && digits(&cell[at + 1..])
+}
+
 /// Whether a line begins with a word for nothing, which may look like a comment.
 pub(super) fn begins_missing(line: &[u8]) -> bool {
     let starts = |word: &&&str| {
@@ -167,6 +185,23 @@ mod tests {
         }
         for text in ["1.234,5", "1.5", "1,2,3", "5,"] {
             assert_eq!(read(text.as_bytes(), Decimal::Comma), Cell::Text, "{text}");
+        }
+    }
+
+    #[test]
+    fn grouped_digits_are_known() {
+        for (text, comma, point) in [
+            ("1.234,5", true, false),
+            ("-12.234.567,50", true, false),
+            ("1,234.5", false, true),
+            ("1.234", false, false),
+            ("1234,5", false, false),
+            ("1.23,4", false, false),
+            (".234,5", false, false),
+            ("1.234,", false, false),
+        ] {
+            assert_eq!(is_grouped(text.as_bytes(), Decimal::Comma), comma, "{text}");
+            assert_eq!(is_grouped(text.as_bytes(), Decimal::Point), point, "{text}");
         }
     }
 

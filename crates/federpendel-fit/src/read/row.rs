@@ -169,7 +169,10 @@ impl Reader<'_> {
         let (column, value) = (self.layout.headings[at].label.clone(), excerpt(cell));
         match read {
             Cell::Number(_) => ReadError::OutOfRange { line, column, value, most: LARGEST_NUMBER },
-            _ => ReadError::NoNumber { line, column, value },
+            _ => {
+                let decimal = self.layout.decimal;
+                ReadError::NoNumber { line, column, value, decimal }
+            }
         }
     }
 }

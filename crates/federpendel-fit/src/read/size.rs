@@ -17,6 +17,8 @@ const BLOCK: u64 = 1 << 14;
 pub(super) struct Size {
     numbers: usize,
     texts: usize,
+    /// Numbers with their digits in groups, which are refused where they are read.
+    grouped: usize,
     /// Texts that are times of day.
     clocks: usize,
     falls: usize,
@@ -44,7 +46,13 @@ impl Size {
 
     /// Whether the column holds numbers rather than words.
     pub fn is_numeric(&self) -> bool {
-        self.numbers > 0 && self.numbers >= self.texts
+        let numbers = self.numbers + self.grouped;
+        numbers > 0 && numbers >= self.texts
+    }
+
+    /// Whether the column holds any words.
+    pub fn has_texts(&self) -> bool {
+        self.texts > 0
     }
 
     /// Whether the column holds times of day.
@@ -121,6 +129,7 @@ fn add(line: &Line, at: f64, layout: &Layout, sizes: &mut [Size]) {
     for (size, cell) in sizes.iter_mut().zip(Cells::new(line.text, layout.separator)) {
         match number::read(cell, layout.decimal) {
             Cell::Number(value) if value.is_finite() => size.add(at, value),
+            Cell::Text if number::is_grouped(cell, layout.decimal) => size.grouped += 1,
             Cell::Text => {
                 size.texts += 1;
                 size.clocks += usize::from(number::clock(cell).is_some());

@@ -98,7 +98,7 @@ fn wrong(checks: &Checks, writer: &Writer<'_>) -> Block {
         let claim = check_claim(check, writer.catalogue);
         let right = claim.finding.unwrap_or_default();
         let cells = vec![claim.number.to_string(), claim.equation, claim.claim, right];
-        Row { cells, target: Some(claim.id), marked: false }
+        Row { target: Some(claim.id), ..Row::from(cells) }
     });
     Block::Table {
         caption: text("article-see-claims"),

@@ -10,6 +10,12 @@ use super::math::{Html, Typesetter};
 use super::words::{Mark, Words};
 use crate::{Block, Claim, Document, Row, Section, Verdict};
 
+/// A table of more rows than these may go on on the next sheet of paper.
+const LONG: usize = 12;
+
+/// A name of so many letters is not torn.
+const SHORT: usize = 20;
+
 /// The whole page.
 #[derive(Serialize)]
 pub struct View {
@@ -41,13 +47,38 @@ struct Part {
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 enum Piece {
-    Paragraph { text: Html },
-    List { points: Vec<Html> },
-    Notice { text: Html },
-    Formula { number: Option<String>, math: Html },
-    Figure { id: String, label: String, caption: Html, drawings: Vec<Html>, sketch: bool },
-    Table { label: String, caption: Html, head: Vec<Html>, rows: Vec<Line> },
-    Claims { claims: Vec<Assertion> },
+    Paragraph {
+        text: Html,
+    },
+    List {
+        points: Vec<Html>,
+    },
+    Notice {
+        text: Html,
+    },
+    Formula {
+        number: Option<String>,
+        math: Html,
+    },
+    Figure {
+        id: String,
+        label: String,
+        caption: Html,
+        drawings: Vec<Html>,
+        sketch: bool,
+    },
+    Table {
+        id: String,
+        label: String,
+        caption: Html,
+        head: Vec<Html>,
+        rows: Vec<Line>,
+        columns: usize,
+        long: bool,
+    },
+    Claims {
+        claims: Vec<Assertion>,
+    },
 }
 
 /// A row of a table.
@@ -56,6 +87,7 @@ struct Line {
     target: Option<String>,
     marked: bool,
     cells: Vec<Html>,
+    below: Html,
 }
 
 /// A claim.
@@ -148,7 +180,10 @@ impl Writer<'_> {
             }
             Block::Table { caption, head, rows } => Piece::Table {
                 label: count("report-table", &mut self.tables, self.catalogue),
+                id: format!("table-{}", self.tables),
                 caption: self.set.text(caption)?,
+                columns: head.len(),
+                long: rows.len() > LONG,
                 head: self.texts(head)?,
                 rows: rows.iter().map(|row| self.line(row)).collect::<Result<_, _>>()?,
             },
@@ -172,7 +207,12 @@ impl Writer<'_> {
 
     fn line(&self, row: &Row) -> Result<Line, PageError> {
         let (target, marked) = (row.target.clone(), row.marked);
-        Ok(Line { target, marked, cells: self.texts(&row.cells)? })
+        let mut cells = self.texts(&row.cells)?;
+        // Names of files may be longer than any column.
+        if let Some(name) = cells.first_mut().filter(|_| target.is_some()) {
+            *name = Value::from_safe_string(breakable(&name.to_string()));
+        }
+        Ok(Line { target, marked, cells, below: self.set.text(&row.below)? })
     }
 
     fn claim(&self, claim: &Claim) -> Result<Assertion, PageError> {
@@ -192,6 +232,18 @@ impl Writer<'_> {
     fn texts(&self, texts: &[String]) -> Result<Vec<Html>, PageError> {
         texts.iter().map(|text| self.set.text(text)).collect()
     }
+}
+
+/// A name in HTML without tags; a long one may go on in the next line behind each of its parts.
+fn breakable(name: &str) -> String {
+    // A slash needs no other spelling in a text.
+    let name = name.replace("&#x2f;", "/");
+    if name.chars().count() <= SHORT {
+        return name;
+    }
+    let mut parts = name.split_inclusive(['_', '-', '/']);
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |name, part| name + "<wbr/>" + part)
 }
 
 /// The next of what is counted: “Figure 3”.

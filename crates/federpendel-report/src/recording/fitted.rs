@@ -5,6 +5,8 @@ use federpendel_fit::{Edge, FitReport, Given, Physical, Quantity, physical};
 use federpendel_text::Catalogue;
 use federpendel_text::plot::{Plot, RecordingData};
 
+use super::note::read_note;
+
 /// Swings that gain more than this share of their amplitude grow.
 const GROWTH: f64 = 0.05;
 
@@ -41,6 +43,11 @@ impl Fitted {
             self.physical = physical(&self.report, given, self.read.value.is_angle());
         }
         self
+    }
+
+    /// What was assumed, left out and put in order in reading it.
+    pub fn notes(&self, catalogue: &Catalogue) -> Vec<String> {
+        self.read.notes.iter().map(|note| read_note(catalogue, note)).collect()
     }
 
     /// Whether the swings of the fitted part grow: most of them gain amplitude, and all together more than noise would make

@@ -1,7 +1,7 @@
 //! A law of friction as a sentence about a fit names it.
 
 use federpendel::Mix;
-use federpendel_fit::Model;
+use federpendel_fit::{Model, Parameter};
 use federpendel_text::Catalogue;
 
 use super::Fitted;
@@ -52,12 +52,15 @@ impl Law {
         catalogue.text(self.inside)
     }
 
-    /// How strongly it acts: `γ = 0.053 ± 0.002 1/s`.
+    /// How strongly it acts: `γ = 0.053 ± 0.002 1/s`, or at least: `a_c ≥ 0.72 m/s²`.
     pub fn value(&self, fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
         let parameter = model.parameter(self.parameter);
+        let unit = fit.report.unit_of(self.parameter);
+        if let Some(Parameter { value: None, interval95: (Some(least), None), .. }) = parameter {
+            return format!("{} ≥ {}", self.symbol, catalogue.quantity(*least, &unit, 2));
+        }
         let value = parameter.and_then(|parameter| parameter.value).unwrap_or(0.0);
         let error = parameter.and_then(|parameter| parameter.stderr).unwrap_or(f64::NAN);
-        let unit = fit.report.unit_of(self.parameter);
         format!("{} = {}", self.symbol, catalogue.measured(value, error, &unit))
     }
 

@@ -48,7 +48,7 @@ fn row(writer: &Writer<'_>, model: &Model) -> Row {
         writer.recorded(model.rms, 4),
         report.rejection(model.mix).map_or(writer.none(), |p| probability(writer, p)),
     ];
-    Row { cells, target: None, marked: chosen }
+    Row { marked: chosen, ..Row::from(cells) }
 }
 
 /// The mix in words, and whether it is the verdict's.

@@ -29,5 +29,6 @@ pub use refused_file::read_error;
 pub use refused_fit::fit_error;
 pub use report::{document, sections};
 pub use rows::{about_rows, parameter_rows, parameter_value, residual_row};
+pub use uncertainty::correlation;
 pub use verdict::sentences;
 pub use writer::parameter_name;

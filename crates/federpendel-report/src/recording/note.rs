@@ -70,6 +70,8 @@ pub fn edge(catalogue: &Catalogue, edge: Edge) -> String {
         Edge::Still => "fit-edge-still",
         Edge::Disturbed => "fit-edge-disturbed",
         Edge::Unrest => "fit-edge-unrest",
+        Edge::Stopped => "fit-edge-stopped",
+        Edge::Clipped => "fit-edge-clipped",
     })
 }
 

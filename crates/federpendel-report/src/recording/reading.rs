@@ -2,6 +2,7 @@
 
 use federpendel_fit::read::Clock;
 use federpendel_fit::{Fault, Finding, Quantity, Window};
+use federpendel_text::excerpt;
 
 use super::note::{edge, read_note};
 use super::writer::Writer;
@@ -28,7 +29,7 @@ pub fn brief(writer: &Writer<'_>) -> Vec<String> {
         ("to", time(to)),
         ("samples", report.samples.into()),
         ("effective", writer.catalogue.number(report.effective_samples.round(), 4).into()),
-        ("column", literal(&writer.fit.read.value.label).into()),
+        ("column", literal(&excerpt(&writer.fit.read.value.label)).into()),
         ("rms", writer.recorded(report.best().map_or(f64::NAN, |model| model.rms), 3).into()),
     ];
     let edges = [
@@ -56,9 +57,9 @@ fn table(writer: &Writer<'_>) -> Block {
     if let Some(run) = &read.run {
         row("measured-run", run.clone());
     }
-    row("measured-values-column", read.value.label.clone());
+    row("measured-values-column", excerpt(&read.value.label));
     match &read.clock {
-        Clock::Column(column) => row("measured-times-column", column.label.clone()),
+        Clock::Column(column) => row("measured-times-column", excerpt(&column.label)),
         Clock::Rate(rate) => row("measured-rate", catalogue.quantity(*rate, "Hz", DIGITS)),
     }
     row("measured-quantity", catalogue.text(quantity(report.quantity)));

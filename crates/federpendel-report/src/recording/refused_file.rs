@@ -2,7 +2,7 @@
 
 use federpendel::parameter::Range;
 use federpendel_fit::Quantity;
-use federpendel_fit::read::{Field, Found, LEAST_ROWS, ReadError};
+use federpendel_fit::read::{Decimal, Field, Found, LEAST_ROWS, ReadError};
 use federpendel_text::{Catalogue, Value, excerpt};
 
 /// Most names of a list that a message repeats; a table may have thousands of columns.
@@ -151,9 +151,13 @@ fn of_rows(catalogue: &Catalogue, error: &ReadError) -> String {
             catalogue.format("recording-commas", &[("text", excerpt(text).into())])
         }
         ReadError::Cells { found, expected, .. } => cells("recording-cells", *found, *expected),
-        ReadError::NoNumber { column, value, .. } => catalogue.format(
+        ReadError::NoNumber { column, value, decimal, .. } => catalogue.format(
             "recording-no-number",
-            &[("column", excerpt(column).into()), ("value", excerpt(value).into())],
+            &[
+                ("column", excerpt(column).into()),
+                ("value", excerpt(value).into()),
+                ("sign", if *decimal == Decimal::Comma { "comma" } else { "point" }.into()),
+            ],
         ),
         ReadError::OutOfRange { column, value, most, .. } => catalogue.format(
             "recording-out-of-range",

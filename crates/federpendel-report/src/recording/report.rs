@@ -13,14 +13,15 @@ use crate::document::{Block, Document, Section, literal};
 /// Of more recordings than these, ranking, uncertainty and reading stand in a few lines, not in tables.
 const MOST_IN_FULL: usize = 4;
 
-/// The report of fits in the language of `catalogue`.
-pub fn document(fits: &[Fitted], catalogue: &Catalogue) -> Document {
+/// The report of fits in the language of `catalogue`, and of recordings that could not be fitted, `failed`: of each why,
+/// in a sentence with its name.
+pub fn document(fits: &[Fitted], failed: &[String], catalogue: &Catalogue) -> Document {
     let names = names(fits);
     let version = [("version", env!("CARGO_PKG_VERSION").into())];
     let colophon = catalogue.format("measured-colophon", &version);
-    let (title, lead, sections) = match (fits, names.as_slice()) {
-        ([fit], [name]) => one(fit, name, catalogue),
-        _ => many(fits, &names, catalogue),
+    let (title, lead, sections) = match (fits, names.as_slice(), failed) {
+        ([fit], [name], []) => one(fit, name, catalogue),
+        _ => many(fits, &names, failed, catalogue),
     };
     Document { title, lead, sections, colophon }
 }
@@ -45,14 +46,12 @@ fn with_method(writer: &Writer<'_>) -> Vec<Section> {
 fn many(
     fits: &[Fitted],
     names: &[String],
+    failed: &[String],
     catalogue: &Catalogue,
 ) -> (String, Vec<Block>, Vec<Section>) {
-    let count = ("count", fits.len().into());
-    let adequate = fits.iter().filter(|fit| fit.report.adequacy.adequate).count();
-    let lead = [("adequate", adequate.into()), count.clone()];
-    let lead = vec![Block::Paragraph(catalogue.format("measured-lead-many", &lead))];
     let targets: Vec<_> = (1..=fits.len()).map(|number| format!("recording-{number}")).collect();
     let mut sections = vec![summary::section(fits, names, &targets, catalogue)];
+    sections.extend(not_fitted(failed, catalogue));
     for ((fit, name), id) in fits.iter().zip(names).zip(&targets) {
         let writer = Writer { catalogue, fit, name, prefix: format!("{id}-") };
         let mut blocks = vec![verdict(&writer)];
@@ -65,7 +64,39 @@ fn many(
         sections.push(Section { id: id.clone(), heading, blocks, sections: sections_of_it });
     }
     sections.push(method::section(catalogue));
-    (catalogue.format("measured-title-many", &[count]), lead, sections)
+    let (title, lead) = title_and_lead(fits, failed, catalogue);
+    (title, lead, sections)
+}
+
+/// How many recordings there are, how many were fitted, and how many of these a mix describes.
+fn title_and_lead(
+    fits: &[Fitted],
+    failed: &[String],
+    catalogue: &Catalogue,
+) -> (String, Vec<Block>) {
+    let count = ("count", fits.len().into());
+    let all = ("all", (fits.len() + failed.len()).into());
+    let adequate = fits.iter().filter(|fit| fit.report.adequacy.adequate).count();
+    let id = if fits.len() == 1 { "measured-lead-one" } else { "measured-lead-many" };
+    let lead = catalogue.format(id, &[("adequate", adequate.into()), count.clone()]);
+    if failed.is_empty() {
+        let title = catalogue.format("measured-title-many", &[count]);
+        return (title, vec![Block::Paragraph(lead)]);
+    }
+    let missing =
+        catalogue.format("fit-some-failed", &[("failed", failed.len().into()), all.clone()]);
+    let title = catalogue.format("measured-title-some", &[count, all]);
+    (title, vec![Block::Paragraph(format!("{lead} {missing}."))])
+}
+
+/// Why recordings were not fitted.
+fn not_fitted(failed: &[String], catalogue: &Catalogue) -> Option<Section> {
+    (!failed.is_empty()).then(|| Section {
+        id: "not-fitted".to_owned(),
+        heading: catalogue.text("measured-not-fitted"),
+        blocks: vec![Block::List(failed.iter().map(|why| literal(why)).collect())],
+        sections: vec![],
+    })
 }
 
 /// The verdict in sentences.

@@ -1,8 +1,9 @@
 //! What was fitted and found, as names and values.
 
 use federpendel_fit::{Parameter, damping};
-use federpendel_text::Catalogue;
+use federpendel_text::{Catalogue, excerpt};
 
+use super::damping::{equivalent_row, ratio_name};
 use super::{Fitted, parameter_name};
 
 /// What was fitted, and what an engineer asks first.
@@ -14,7 +15,7 @@ pub fn about_rows(fit: &Fitted, catalogue: &Catalogue) -> Vec<(String, String)> 
         ("samples", report.samples.into()),
     ];
     let mut rows = vec![
-        (catalogue.text("fit-row-column"), fit.read.value.label.clone()),
+        (catalogue.text("fit-row-column"), excerpt(&fit.read.value.label)),
         (catalogue.text("fit-row-window"), catalogue.format("fit-window-value", &window)),
     ];
     if fit.read.recording.unit.is_empty() {
@@ -24,12 +25,14 @@ pub fn about_rows(fit: &Fitted, catalogue: &Catalogue) -> Vec<(String, String)> 
     let frequency = figures.as_ref().map(|figures| figures.natural_frequency);
     let adequate = report.adequacy.adequate;
     let ratio = figures.filter(|_| adequate).and_then(|figures| figures.damping_ratio);
-    for (id, figure) in [("fit-row-frequency", frequency), ("fit-row-damping-ratio", ratio)] {
+    let names = [catalogue.text("fit-row-frequency"), ratio_name(fit, catalogue)];
+    for (name, figure) in names.into_iter().zip([frequency, ratio]) {
         if let Some((value, error)) = figure.and_then(|one| one.value.zip(one.stderr)) {
             let unit = figure.map_or("1", |one| one.unit);
-            rows.push((catalogue.text(id), catalogue.measured(value, error, unit)));
+            rows.push((name, catalogue.measured(value, error, unit)));
         }
     }
+    rows.extend(equivalent_row(fit, catalogue).filter(|_| adequate));
     rows
 }
 

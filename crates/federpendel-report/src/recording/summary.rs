@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use federpendel_fit::{Estimate, damping};
 use federpendel_text::Catalogue;
 
+use super::damping::range;
 use super::physical::value;
 use super::writer::{set, unbroken};
 use super::{Fitted, sentences};
@@ -18,26 +19,16 @@ pub fn section(
     catalogue: &Catalogue,
 ) -> Section {
     let rows = fits.iter().zip(names).zip(targets).map(|((fit, name), target)| {
-        let figures = damping(&fit.report).filter(|_| fit.report.adequacy.adequate);
-        let [ratio, quality] = match figures {
-            Some(figures) => [figures.damping_ratio, figures.quality_factor],
-            None => [None; 2],
-        };
-        let cells = vec![
-            literal(name),
-            frequency(fit, catalogue),
-            figure(ratio, catalogue),
-            figure(quality, catalogue),
-            verdict(fit, catalogue),
-        ];
-        Row { cells, target: Some(target.clone()), marked: false }
+        let [ratio, quality] = ratio_and_quality(fit, catalogue);
+        let cells = vec![literal(name), frequency(fit, catalogue), ratio, quality];
+        let (target, below) = (Some(target.clone()), verdict(fit, catalogue));
+        Row { target, below, ..Row::from(cells) }
     });
     let head = [
         "measured-head-recording",
         "fit-row-frequency",
         "fit-row-damping-ratio",
         "derived-quality-factor",
-        "measured-head-verdict",
     ];
     let table = Block::Table {
         caption: catalogue.text("measured-summary-caption"),
@@ -63,12 +54,19 @@ fn frequency(fit: &Fitted, catalogue: &Catalogue) -> String {
     )
 }
 
-/// A figure of Stokes friction with its error, where that acts.
-fn figure(figure: Option<Estimate>, catalogue: &Catalogue) -> String {
-    figure.map_or_else(
-        || catalogue.text("measured-none"),
-        |figure| unbroken(&value(catalogue, &figure)),
-    )
+/// Damping ratio and quality factor: of Stokes friction alone with their errors, else equivalent ones by amplitude.
+fn ratio_and_quality(fit: &Fitted, catalogue: &Catalogue) -> [String; 2] {
+    let figures = damping(&fit.report).filter(|_| fit.report.adequacy.adequate);
+    let Some(figures) = figures else { return [(); 2].map(|()| catalogue.text("measured-none")) };
+    let alone = |figure: Option<Estimate>| Some(unbroken(&value(catalogue, &figure?)));
+    let ratio =
+        || range(&figures, |ratio| ratio, catalogue).or_else(|| alone(figures.damping_ratio));
+    let quality = || range(&figures, |ratio| 0.5 / ratio, catalogue);
+    let none = || catalogue.text("measured-none");
+    [
+        ratio().unwrap_or_else(none),
+        alone(figures.quality_factor).or_else(quality).unwrap_or_else(none),
+    ]
 }
 
 /// What acts and how strongly, or why no mix describes the motion.

@@ -1,6 +1,7 @@
 //! How sure the values are, and how good the fit is.
 
 use federpendel_fit::{Model, StopReason};
+use federpendel_text::Catalogue;
 
 use super::writer::Writer;
 use crate::document::{Block, Row, Section};
@@ -15,6 +16,9 @@ const SYMBOLS: [(&str, &str); 6] = [
     ("position0", "x₀"),
     ("velocity0", "v₀"),
 ];
+
+/// A correlation that needs as many digits to be told from ±1 is one.
+const MOST_DIGITS: usize = 8;
 
 /// Correlations and statistics.
 pub fn section(writer: &Writer<'_>) -> Section {
@@ -46,7 +50,7 @@ fn correlations(writer: &Writer<'_>, model: &Model) -> Block {
         .map(|parameter| symbol(writer, parameter.name))
         .collect();
     let cell = |value: f64| {
-        if value.is_finite() { writer.catalogue.fixed(value, 2) } else { writer.none() }
+        if value.is_finite() { correlation(writer.catalogue, value) } else { writer.none() }
     };
     let rows = model.correlations.iter().zip(&symbols).enumerate().map(|(i, (row, symbol))| {
         let cells = row[..=i].iter().map(|value| cell(*value));
@@ -57,7 +61,7 @@ fn correlations(writer: &Writer<'_>, model: &Model) -> Block {
     let mut caption = writer.text("measured-correlations-caption");
     if let Some((i, j, value)) = largest(&model.correlations) {
         let variables = [
-            ("value", writer.catalogue.fixed(value, 2).into()),
+            ("value", correlation(writer.catalogue, value).into()),
             ("one", symbols[i].as_str().into()),
             ("other", symbols[j].as_str().into()),
         ];
@@ -67,6 +71,13 @@ fn correlations(writer: &Writer<'_>, model: &Model) -> Block {
     let rows = rows.collect();
     let head = [writer.text("measured-head-parameter")].into_iter().chain(symbols).collect();
     Block::Table { caption, head, rows }
+}
+
+/// A correlation with two digits, or with as many as tell it from ±1.
+pub fn correlation(catalogue: &Catalogue, value: f64) -> String {
+    let distance = 1.0 - value.abs();
+    let tells = |digits: &usize| distance >= 0.5 * 10f64.powi(-(*digits as i32));
+    catalogue.fixed(value, (2..MOST_DIGITS).find(tells).unwrap_or(2))
 }
 
 /// The largest correlation of two parameters, and whose.
@@ -85,20 +96,49 @@ fn statistics(writer: &Writer<'_>, model: &Model) -> Block {
         StopReason::StepLimit => "measured-stop-step-limit",
     };
     let words = |id: &str| writer.text(id);
-    let rows = [
+    let mut rows = vec![
         (words("measured-samples"), report.samples.to_string()),
         (words("measured-effective"), number(report.effective_samples.round())),
         (words("measured-fitted"), model.correlations.len().to_string()),
         (words("fit-row-residual"), writer.recorded(model.rms, 4)),
-        (words("fit-row-chi"), number(model.chi_square)),
-        (words("fit-row-reduced"), number(model.reduced)),
+    ];
+    // Without the noise of a value χ² is in its unit, and says nothing of how good a fit is.
+    if report.sigma.is_some() {
+        rows.extend([
+            (words("fit-row-chi"), number(model.chi_square)),
+            (words("fit-row-reduced"), number(model.reduced)),
+        ]);
+    }
+    rows.extend([
         ("AIC".to_owned(), number(model.criteria.aic)),
         ("AICc".to_owned(), number(model.criteria.aicc)),
         ("BIC".to_owned(), number(model.criteria.bic)),
         (words("measured-evaluations"), report.evaluations.to_string()),
         (words("measured-stop"), words(stop)),
-    ];
+    ]);
     let rows = rows.into_iter().map(|(name, value)| Row::from(vec![name, value])).collect();
     let head = ["measured-head-statistic", "measured-head-number"];
     writer.table(writer.text("measured-statistics-caption"), &head, rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use federpendel_text::Language;
+
+    use super::*;
+
+    #[test]
+    fn a_correlation_is_told_from_one() {
+        let catalogue = Catalogue::new(Language::German);
+        for (value, said) in [
+            (0.984, "0,98"),
+            (0.9949, "0,99"),
+            (-0.9951, "−0,995"),
+            (-0.9987, "−0,999"),
+            (-0.99962, "−0,9996"),
+            (1.0, "1,00"),
+        ] {
+            assert_eq!(correlation(&catalogue, value), said);
+        }
+    }
 }

@@ -1,10 +1,12 @@
 //! What a fit found, in sentences.
 
+use federpendel::Mix;
+use federpendel_fit::ranking::LEVEL;
 use federpendel_fit::{Fault, Laws, Model, Standing, damping};
 use federpendel_text::Catalogue;
 
 use super::Fitted;
-use super::caution::cautions;
+use super::caution::{cautions, rests};
 use super::law::{LAWS, Law};
 use super::physical::{symbol, value};
 
@@ -13,6 +15,9 @@ const DOMINATES: f64 = 2.0 / 3.0;
 
 /// From so many standard errors on nobody asks whether a law is there.
 const BEYOND_DOUBT: f64 = 10.0;
+
+/// All laws at once.
+const ALL: Mix = Mix { stokes: true, coulomb: true, newton: true };
 
 /// The verdict: what acts and how strongly, what is not needed, what cannot be told, what is wrong.
 pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
@@ -35,15 +40,13 @@ pub fn sentences(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
             _ => open(fit, catalogue),
         });
     }
+    sentences.extend(asked_rejected(fit, catalogue));
     sentences.extend(physically(fit, catalogue));
     sentences.extend(regime(fit, catalogue));
     sentences.extend(not_needed(fit, catalogue));
     sentences.extend(cautions(fit, model, catalogue));
     sentences.extend(not_separated(fit, catalogue));
-    sentences.extend(model.rest.as_ref().map(|rest| {
-        let time = catalogue.quantity(rest.time, "s", 4);
-        catalogue.format("fit-rests", &[("time", time.into())])
-    }));
+    sentences.extend(model.rest.as_ref().map(|rest| rests(rest, catalogue)));
     sentences
 }
 
@@ -109,14 +112,16 @@ fn physically(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
     let known = |wanted: &str| {
         let (_, answer) = numbers.iter().find(|(name, _)| *name == wanted)?;
         let number = answer.as_ref().ok().filter(|number| number.value != Some(0.0))?;
-        Some((symbol(wanted), value(catalogue, number)))
+        Some(match number.interval95 {
+            (Some(least), None) if number.value.is_none() => {
+                format!("{} ≥ {}", symbol(wanted), catalogue.quantity(least, number.unit, 2))
+            }
+            _ => format!("{} = {}", symbol(wanted), value(catalogue, number)),
+        })
     };
     let dry = known("kinetic").or_else(|| known("coulomb_force"));
-    let all: Vec<_> = [known("damping"), dry, known("newton_coefficient")]
-        .into_iter()
-        .flatten()
-        .map(|(symbol, value)| format!("{symbol} = {value}"))
-        .collect();
+    let all: Vec<String> =
+        [known("damping"), dry, known("newton_coefficient")].into_iter().flatten().collect();
     (!all.is_empty())
         .then(|| catalogue.format("fit-physically", &[("values", all.join(", ").into())]))
 }
@@ -129,6 +134,12 @@ fn as_asked(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
         [] => catalogue.text("fit-asked-none"),
         _ => catalogue.format("fit-asked", &[("values", values.join(", ").into())]),
     }
+}
+
+/// That further laws fit better than the mix that was asked for.
+fn asked_rejected(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
+    let p = fit.report.asked_rejection?;
+    (p < LEVEL).then(|| catalogue.text("fit-asked-rejected"))
 }
 
 /// From this damping ratio on one cannot count swings, and the regime is said.
@@ -176,6 +187,10 @@ fn not_needed(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
 
 /// The mixes that this recording cannot tell apart, and what recording could.
 fn not_separated(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
+    if fit.report.clipping.is_some() {
+        // Of wider swings the sensor would clip more.
+        return vec![];
+    }
     let sentence = |reach: &federpendel_fit::Reach| {
         let [one, other] = reach.mixes.map(|mix| catalogue.mix(mix));
         let mut variables = vec![("one", one.into()), ("other", other.into())];
@@ -189,18 +204,29 @@ fn not_separated(fit: &Fitted, catalogue: &Catalogue) -> Vec<String> {
     fit.report.reaches.iter().map(sentence).collect()
 }
 
-/// Why no mix describes the recording: the gravest of what was found.
+/// Why no mix describes the recording, or not the one that was asked for: the gravest of what was found.
 fn wrong(fit: &Fitted, catalogue: &Catalogue) -> String {
     let grave = fit.report.adequacy.findings.iter().find(|finding| finding.grave);
-    catalogue.text(match grave.map(|finding| finding.fault) {
+    let asked = match fit.report.laws {
+        Laws::Exactly(mix) if mix != ALL => Some(mix),
+        _ => None,
+    };
+    let said = catalogue.text(match asked {
+        None => "fit-no-mix",
+        Some(mix) if mix == Mix::default() => "fit-not-undamped",
+        Some(_) => "fit-not-this-mix",
+    });
+    let id = match grave.map(|finding| finding.fault) {
         Some(Fault::Softening) => "fit-wrong-softening",
         Some(Fault::Hardening) => "fit-wrong-hardening",
         Some(Fault::PeriodDrift) => "fit-wrong-period-drift",
         Some(Fault::Losses) if fit.grows() => "fit-wrong-growing",
+        Some(Fault::Losses) if asked.is_some() => "fit-wrong-losses-asked",
         Some(Fault::Losses) => "fit-wrong-losses",
         Some(Fault::ZeroDrift) => "fit-wrong-zero-drift",
         Some(Fault::Shape) => "fit-wrong-shape",
         Some(Fault::Residual) => "fit-wrong-residual",
         None => "fit-wrong",
-    })
+    };
+    catalogue.format(id, &[("said", said.into())])
 }

@@ -13,6 +13,11 @@ plan-too-few-swings = Unter { $amplitude } bleiben weniger als fünf Halbschwing
 ### Was fit annimmt
 
 fit-sigma-unit = { $name }: --sigma ist in { $unit }, die Werte sind in { $found }; erlaubt ist deren Einheit oder eine Zahl in ihr
+fit-note-files =
+    { $count ->
+        [one] { $first } und eine weitere Datei
+       *[other] { $first } und { $count } weitere Dateien
+    }
 fit-some-failed = { $failed } von { $all } Aufzeichnungen ließen sich nicht anpassen
 physical-help-mass = Masse des Körpers ohne die Feder: ergibt Kräfte und die Federkonstante
 physical-help-stiffness = Federkonstante: ergibt die Masse oder wird mit der angegebenen verglichen

@@ -14,7 +14,7 @@ recording-damaged = Die Datei lässt sich nicht öffnen (die Leseroutine sagt au
     .page = Die Datei lässt sich nicht öffnen; erlaubt ist ein unbeschädigtes Archiv oder eine unbeschädigte Mappe
 recording-several-tables = Die Datei enthält mehrere Tabellen, und keine ist angegeben (--table); erlaubt sind { $tables }
     .page = Die Datei enthält mehrere Tabellen; wählen Sie eine davon: { $tables }
-recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat oder .asc liegt, oder eine Mappe mit einem Blatt voller Zahlen
+recording-no-tables = Die Datei enthält keine Tabelle; erlaubt ist eine .zip-Datei, in der eine .csv, .txt, .tsv, .dat, .asc oder .lvm liegt, oder eine Mappe mit einem Blatt voller Zahlen
 recording-no-named-tables = Als Tabelle ist „{ $asked }“ angegeben, aber in dieser Datei hat keine einen Namen; erlaubt ist, keine anzugeben
 recording-table-not-found = Als Tabelle ist „{ $asked }“ angegeben; erlaubt sind { $tables }
 recording-too-many-columns = Die Tabelle hat mindestens { $found } Spalten; erlaubt sind höchstens { $most }
@@ -28,7 +28,10 @@ recording-cells = Diese Zeile hat { $found ->
     [one] eine Spalte
    *[other] { $expected } Spalten
 }; erlaubt sind gleich viele, und Dezimalkommas nur, wo zwischen den Zellen keine Kommas stehen
-recording-no-number = In der Spalte „{ $column }“ steht „{ $value }“; erlaubt ist eine Zahl ohne Tausendertrennzeichen
+recording-no-number = In der Spalte „{ $column }“ steht „{ $value }“; erlaubt ist eine Zahl mit { $sign ->
+    [comma] Dezimalkomma
+   *[point] Dezimalpunkt
+} und ohne Tausendertrennzeichen
 recording-out-of-range = In der Spalte „{ $column }“ steht „{ $value }“; erlaubt ist eine Zahl, dem Betrag nach höchstens { $most }
 recording-column-not-found = Als Spalte für { $field } ist „{ $asked }“ angegeben; erlaubt sind { $columns } oder ihre Nummern
 recording-column-ambiguous = Als Spalte für { $field } ist „{ $asked }“ angegeben, was auf { $columns } passt; erlaubt ist ein Name, der nur auf eine davon passt, oder ihre Nummer
@@ -124,6 +127,8 @@ fit-edge-misfit = die Werte davor gehören nicht zu der Bewegung, die folgt
 fit-edge-still = danach liegt die Masse still
 fit-edge-disturbed = danach bewegt etwas anderes die Masse
 fit-edge-unrest = danach klingen die Schwingungen nicht mehr ab: Etwas anderes hält die Masse in Bewegung, etwa der Boden
+fit-edge-stopped = danach sind die Schwingungen plötzlich weg: Eine Hand oder Ähnliches hielt sie an
+fit-edge-clipped = davor schneidet der Sensor die Schwingungen ab
 
 ### Was in einer Aufzeichnung gefunden wurde
 
@@ -150,24 +155,35 @@ fit-and = { $one } und { $other }
 fit-or = { $one } oder { $other }
 fit-not-needed =
     { $number ->
-        [one] { $laws } wird nicht gebraucht.
-       *[other] { $laws } werden nicht gebraucht.
+        [one] { $laws } wird zur Beschreibung nicht gebraucht.
+       *[other] { $laws } werden zur Beschreibung nicht gebraucht.
     }
 fit-cannot-separate = Um { $one } und { $other } zu unterscheiden, ab mindestens { $amplitude } loslassen.
 fit-never-separates = Auch größere Amplituden würden { $one } und { $other } nicht unterscheiden.
-fit-wrong-softening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode wächst mit der Amplitude, wie bei einem Pendel mit großen Ausschlägen (eine Feder, die weicher wird).
-fit-wrong-hardening = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
-fit-wrong-period-drift = Kein Gemisch beschreibt diese Aufzeichnung: Die Periode driftet.
-fit-wrong-losses = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
-fit-wrong-growing = Kein Gemisch beschreibt diese Aufzeichnung: Die Amplitude wächst, statt abzunehmen; etwas führt der Masse Energie zu.
-fit-wrong-zero-drift = Kein Gemisch beschreibt diese Aufzeichnung: Der Nullpunkt des Sensors driftet.
-fit-wrong-shape = Kein Gemisch beschreibt diese Aufzeichnung: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
-fit-wrong-residual = Kein Gemisch beschreibt diese Aufzeichnung: Die Anpassung lässt weit mehr übrig als das Rauschen des Sensors.
-fit-wrong = Kein Gemisch beschreibt diese Aufzeichnung.
+fit-no-mix = Kein Gemisch beschreibt diese Aufzeichnung
+fit-not-this-mix = Dieses Gemisch beschreibt diese Aufzeichnung nicht
+fit-not-undamped = Eine ungedämpfte Bewegung beschreibt diese Aufzeichnung nicht
+fit-asked-rejected = Dieses Gemisch ist verworfen: Mit weiteren Gesetzen lässt die Anpassung so viel weniger übrig, wie es der Zufall seltener als einmal unter hundert täte. Welche es sind, zeigt die Anpassung ohne Wahl der Gesetze.
+fit-wrong-softening = { $said }: Die Periode wächst mit der Amplitude, wie bei einem Pendel mit großen Ausschlägen (eine Feder, die weicher wird).
+fit-wrong-hardening = { $said }: Die Periode fällt mit der Amplitude (eine Feder, die härter wird).
+fit-wrong-period-drift = { $said }: Die Periode driftet.
+fit-wrong-losses = { $said }: Die Amplitude nimmt ab wie bei keinem Gemisch der drei Gesetze.
+fit-wrong-losses-asked = { $said }: Ihre Amplitude nimmt anders ab.
+fit-wrong-growing = { $said }: Die Amplitude wächst, statt abzunehmen; etwas führt der Masse Energie zu.
+fit-wrong-zero-drift = { $said }: Der Nullpunkt des Sensors driftet.
+fit-wrong-shape = { $said }: Die Schwingungen haben eine andere Form, wie bei einem Sensor, der nicht linear ist.
+fit-wrong-residual = { $said }: Die Anpassung lässt weit mehr übrig als das Rauschen des Sensors.
+fit-wrong = { $said }.
 fit-rests = Die Masse kommt bei { $time } zur Ruhe.
+fit-rests-early = Die Masse kommt bei { $time } zur Ruhe: Eine einzige Halbschwingung davor sagt nur, wie stark die trockene Reibung mindestens ist.
 fit-caution-part = Angepasst ist nur der Teil von { $from } bis { $to }: { $why }.
 fit-caution-swings = Das stützt sich auf nur { $number } Halbschwingungen: Bei weniger als fünf irrt das Urteil oft.
+fit-caution-one-swing = Das stützt sich auf eine einzige Halbschwingung: Bei weniger als fünf irrt das Urteil oft.
 fit-caution-values = Mit { $number } Werten je Halbschwingung bleibt viel von der Bewegung ungesehen: schneller aufzeichnen.
+fit-clipped = An { $count } Umkehrpunkten enden die Werte bei { $levels }: Dort schneidet der Sensor ab. { $helps }
+fit-clipped-left-out = Angepasst ist nur, was folgt, ab { $time }.
+fit-clipped-later = Später beginnen, mit { $flag } "{ $time }", oder kleinere Schwingungen messen.
+fit-clipped-smaller = Kleinere Schwingungen messen.
 fit-caution-outliers =
     { $count ->
         [one] Ein Wert liegt weit ab von den anderen und verzieht die Anpassung: --loss tukey lässt ihn beiseite.

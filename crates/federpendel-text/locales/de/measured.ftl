@@ -105,7 +105,7 @@ measured-finding-zero-drift = Der Nullpunkt des Sensors driftet; das macht bis z
 measured-finding-shape = Die Schwingungen haben eine andere Form, wie bei einem nicht linearen Sensor; das macht bis zu { $effect } der Bewegung aus.
 measured-finding-residual = Was die Anpassung übrig lässt, ist weit mehr als das Rauschen von Wert zu Wert: { $effect } der weitesten Halbschwingung.
 measured-grave = { $finding } Das ist so viel, dass kein Gemisch die Bewegung beschreibt.
-measured-slight = { $finding } Neben der Bewegung ist das wenig; in den Standardfehlern zählt es als Rauschen.
+measured-slight = { $finding } Neben der Bewegung ist das wenig; die Standardfehler nehmen es für Rauschen, und Werte können weiter danebenliegen.
 
 ## Wie das zu lesen ist
 

@@ -38,5 +38,6 @@ physical-bare-number = { $name } hat keine Einheit: Angenommen wird { $value }.
 quantity-uncertainty-large = die Unsicherheit ist größer als der halbe Wert, zu groß für eine Fortpflanzung auf andere Zahlen
 fit-row-plus-minus = ±
 fit-plus-minus = ein Standardfehler
-physical-hint = Mit --mass und --horizontal folgen auch Federkonstante, D, Kräfte und μ.
+physical-hint = Mit --mass folgen auch Federkonstante, D und Kräfte.
+    .guided = Mit --mass folgen auch Federkonstante, D und Kräfte; mit --horizontal, für einen Körper auf waagrechter Führung, auch μ.
     .page = Mit einer Masse bei „Angaben zum Versuch“ folgen auch Federkonstante, D und Kräfte, mit der Kraft auf die Führung auch μ.

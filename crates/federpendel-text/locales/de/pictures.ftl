@@ -57,6 +57,7 @@ plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in der komplexen 
 output-too-many-points = Die Aufzeichnung von { $duration } enthält etwa { $number } Umkehrpunkte; in einer JSON-Datei stehen höchstens { $limit }. Erlaubt ist eine kürzere Dauer
 article-solutions-file = -loesungen
 article-hint = -o artikel.html schreibt den Bericht; --details zeigt hier jede Behauptung.
+fit-laws-alone = --laws nennt „{ $value }“ neben anderen; es steht allein
 fit-laws-refused = --laws nennt „{ $value }“; erlaubt sind auto, none, stokes, coulomb, newton
 fit-pictures-of-one = Ein Bild zeigt eine Aufzeichnung; angepasst sind { $count }. Wähle eine Datei oder mit --run einen Durchlauf
 fit-heading-models = Gemische, nach AICc
@@ -79,6 +80,13 @@ fit-interval = { $value } (95 %: { $interval })
 
 measured-colophon = Erstellt mit federpendel { $version }.
 measured-title-many = Welche Reibung wirkt in { $count } Aufzeichnungen?
+measured-title-some = Welche Reibung wirkt in { $count } von { $all } Aufzeichnungen?
+measured-not-fitted = Nicht angepasst
+measured-lead-one =
+    { $adequate ->
+        [0] Kein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt die eine angepasste Aufzeichnung.
+       *[other] Ein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt die eine angepasste Aufzeichnung.
+    }
 measured-lead-many =
     { $adequate ->
         [0] Kein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt eine dieser { $count } Aufzeichnungen.
@@ -86,9 +94,8 @@ measured-lead-many =
        *[other] Ein Gemisch Stokesscher, Coulombscher und Newtonscher Reibung beschreibt { $adequate } dieser { $count } Aufzeichnungen.
     }
 measured-summary = Übersicht
-measured-summary-caption = Alle Aufzeichnungen: die Gesetze, die wirken, mit Standardfehlern, oder warum kein Gemisch die Bewegung beschreibt.
+measured-summary-caption = Alle Aufzeichnungen: die Gesetze, die wirken, mit Standardfehlern, oder warum kein Gemisch die Bewegung beschreibt. Wo viskose Reibung nicht allein wirkt, sind Dämpfungsgrad und Gütefaktor die gleichwertigen von der ersten Amplitude bis zur letzten.
 measured-head-recording = Aufzeichnung
-measured-head-verdict = Urteil
 measured-brief-mixes = Gemische nach AICc, mit dem Abstand vom besten: { $mixes }.
 measured-brief-mix = { $mix } { $difference }
 measured-brief-part = Angepasst: { $from } bis { $to }, { $samples } Werte ({ $effective } unabhängige), Spalte { $column }; Residuum (quadratisches Mittel) { $rms }.

@@ -13,6 +13,11 @@ plan-too-few-swings = Below { $amplitude } fewer than five swings (half periods)
 ### What fit takes
 
 fit-sigma-unit = { $name }: --sigma is in { $unit }, the values are in { $found }; allowed is their unit, or a number in it
+fit-note-files =
+    { $count ->
+        [one] { $first } and one more file
+       *[other] { $first } and { $count } more files
+    }
 fit-some-failed = { $failed } of { $all } recordings could not be fitted
 physical-help-mass = Mass of the body without the spring: gives forces and the stiffness
 physical-help-stiffness = Stiffness of the spring: gives the mass, or is compared with one that is given

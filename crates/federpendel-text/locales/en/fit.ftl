@@ -14,7 +14,7 @@ recording-damaged = the file cannot be opened (its reader says: { $reason }); al
     .page = The file cannot be opened; allowed is an archive or a workbook that is whole
 recording-several-tables = the file holds several tables and none is named (--table); allowed are { $tables }
     .page = The file holds several tables; choose one of them: { $tables }
-recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat or .asc in it, or a workbook with a sheet of numbers
+recording-no-tables = the file holds no table; allowed is a .zip with a .csv, .txt, .tsv, .dat, .asc or .lvm in it, or a workbook with a sheet of numbers
 recording-no-named-tables = the table asked for is “{ $asked }”, but this file holds none with a name; allowed is to ask for none
 recording-table-not-found = the table asked for is “{ $asked }”; allowed are { $tables }
 recording-too-many-columns = the table has { $found } columns or more; allowed are { $most } at most
@@ -28,7 +28,10 @@ recording-cells = this row has { $found ->
     [one] one column
    *[other] { $expected } columns
 }; allowed are as many, and decimal commas only where no commas stand between cells
-recording-no-number = the column “{ $column }” holds “{ $value }”; allowed is a number, without thousands separators
+recording-no-number = the column “{ $column }” holds “{ $value }”; allowed is a number with a decimal { $sign ->
+    [comma] comma
+   *[point] point
+} and without thousands separators
 recording-out-of-range = the column “{ $column }” holds “{ $value }”; allowed is a number of at most { $most } in magnitude
 recording-column-not-found = the column asked for as { $field } is “{ $asked }”; allowed are { $columns }, or their numbers
 recording-column-ambiguous = the column asked for as { $field } is “{ $asked }”, which fits { $columns }; allowed is a name that fits one of them, or its number
@@ -124,6 +127,8 @@ fit-edge-misfit = the values before this do not belong to the motion that follow
 fit-edge-still = after this the mass lies still
 fit-edge-disturbed = after this something else moves the mass
 fit-edge-unrest = after this swings no longer shrink: something else keeps the mass in motion, as the ground does
+fit-edge-stopped = after this the swings are gone all of a sudden: a hand or the like stopped them
+fit-edge-clipped = before this the sensor clips the swings
 
 ### What was found in a recording
 
@@ -155,19 +160,30 @@ fit-not-needed =
     }
 fit-cannot-separate = To tell { $one } from { $other }, release from at least { $amplitude }.
 fit-never-separates = Larger amplitudes would not tell { $one } from { $other } either.
-fit-wrong-softening = No mix describes this recording: the period grows with amplitude, as for a pendulum at large angles (a softening spring).
-fit-wrong-hardening = No mix describes this recording: the period falls with amplitude (a hardening spring).
-fit-wrong-period-drift = No mix describes this recording: the period drifts.
-fit-wrong-losses = No mix describes this recording: the losses of amplitude are those of no mix of the three laws.
-fit-wrong-growing = No mix describes this recording: its amplitude grows instead of falling; something feeds the mass with energy.
-fit-wrong-zero-drift = No mix describes this recording: the zero of the sensor drifts.
-fit-wrong-shape = No mix describes this recording: the swings have another shape, as of a sensor that is not linear.
-fit-wrong-residual = No mix describes this recording: the fit leaves far more than the noise of the sensor.
-fit-wrong = No mix describes this recording.
+fit-no-mix = No mix describes this recording
+fit-not-this-mix = This mix does not describe this recording
+fit-not-undamped = An undamped motion does not describe this recording
+fit-asked-rejected = This mix is rejected: with further laws the fit leaves so much less that chance would do this less often than once in a hundred. A fit without a choice of laws tells which.
+fit-wrong-softening = { $said }: the period grows with amplitude, as for a pendulum at large angles (a softening spring).
+fit-wrong-hardening = { $said }: the period falls with amplitude (a hardening spring).
+fit-wrong-period-drift = { $said }: the period drifts.
+fit-wrong-losses = { $said }: the losses of amplitude are those of no mix of the three laws.
+fit-wrong-losses-asked = { $said }: its amplitude falls in another way.
+fit-wrong-growing = { $said }: its amplitude grows instead of falling; something feeds the mass with energy.
+fit-wrong-zero-drift = { $said }: the zero of the sensor drifts.
+fit-wrong-shape = { $said }: the swings have another shape, as of a sensor that is not linear.
+fit-wrong-residual = { $said }: the fit leaves far more than the noise of the sensor.
+fit-wrong = { $said }.
 fit-rests = The mass comes to rest at { $time }.
+fit-rests-early = The mass comes to rest at { $time }: one swing before that tells only how strong dry friction is at least.
 fit-caution-part = Only the part from { $from } to { $to } was fitted: { $why }.
 fit-caution-swings = That rests on { $number } swings (half periods) only: verdicts on fewer than five often err.
+fit-caution-one-swing = That rests on one swing (half period) only: verdicts on fewer than five often err.
 fit-caution-values = With { $number } values in a swing (half a period) much of the motion goes unseen: record faster.
+fit-clipped = The values stop at { $levels } at { $count } turning points: the sensor clips there. { $helps }
+fit-clipped-left-out = Only what follows, from { $time } on, was fitted.
+fit-clipped-later = Begin later, with { $flag } "{ $time }", or measure smaller swings.
+fit-clipped-smaller = Measure smaller swings.
 fit-caution-outliers =
     { $count ->
         [one] One value lies far off the others and sways the fit: --loss tukey leaves it aside.

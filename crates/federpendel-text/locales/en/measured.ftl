@@ -105,7 +105,7 @@ measured-finding-zero-drift = The zero of the sensor drifts, by up to { $effect 
 measured-finding-shape = The swings have another shape, as of a sensor that is not linear, by up to { $effect } of the motion.
 measured-finding-residual = What the fit leaves is far more than the noise from value to value: { $effect } of the widest swing.
 measured-grave = { $finding } This is so much that no mix describes the motion.
-measured-slight = { $finding } This is little beside the motion; the standard errors take it into account as noise.
+measured-slight = { $finding } This is little beside the motion; the standard errors take it for noise, and values may be off by more.
 
 ## How to read this
 

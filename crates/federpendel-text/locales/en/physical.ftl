@@ -38,5 +38,6 @@ physical-bare-number = { $name } has no unit: { $value } is taken.
 quantity-uncertainty-large = its uncertainty is more than half of the value, too much to be carried on into other numbers
 fit-row-plus-minus = ±
 fit-plus-minus = one standard error
-physical-hint = --mass and --horizontal add stiffness, D, forces and μ.
+physical-hint = --mass adds stiffness, D and forces.
+    .guided = --mass adds stiffness, D and forces; --horizontal, for a body on a level guide, also μ.
     .page = With a mass under “About the experiment” stiffness, D and forces follow too, with the force on the guide also μ.

@@ -57,6 +57,7 @@ plot-roots-description = { $title } λ² + 2γλ + ω₀² = 0 in the complex pl
 output-too-many-points = The record of { $duration } holds about { $number } turning points; a JSON file lists at most { $limit }. Allowed is a shorter duration
 article-solutions-file = -solutions
 article-hint = -o article.html writes the report; --details tells of every claim here.
+fit-laws-alone = --laws names “{ $value }” beside others; it stands alone
 fit-laws-refused = --laws names “{ $value }”; allowed are auto, none, stokes, coulomb, newton
 fit-pictures-of-one = A picture shows one recording; { $count } were fitted. Choose one, or its --run
 fit-heading-models = Mixes, by AICc
@@ -79,6 +80,13 @@ fit-interval = { $value } (95 %: { $interval })
 
 measured-colophon = Made by federpendel { $version }.
 measured-title-many = Which friction acts in { $count } recordings?
+measured-title-some = Which friction acts in { $count } of { $all } recordings?
+measured-not-fitted = Not fitted
+measured-lead-one =
+    { $adequate ->
+        [0] No mix of Stokes, Coulomb and Newton friction describes the one recording that was fitted.
+       *[other] A mix of Stokes, Coulomb and Newton friction describes the one recording that was fitted.
+    }
 measured-lead-many =
     { $adequate ->
         [0] No mix of Stokes, Coulomb and Newton friction describes any of these { $count } recordings.
@@ -86,9 +94,8 @@ measured-lead-many =
        *[other] A mix of Stokes, Coulomb and Newton friction describes { $adequate } of these { $count } recordings.
     }
 measured-summary = Summary
-measured-summary-caption = All recordings: the laws that act, with standard errors, or why no mix describes the motion.
+measured-summary-caption = All recordings: the laws that act, with standard errors, or why no mix describes the motion. Where viscous friction does not act alone, damping ratio and quality factor are the equivalent ones from the first amplitude to the last.
 measured-head-recording = Recording
-measured-head-verdict = Verdict
 measured-brief-mixes = Mixes by AICc, with the difference from the best: { $mixes }.
 measured-brief-mix = { $mix } { $difference }
 measured-brief-part = Fitted: { $from } to { $to }, { $samples } values ({ $effective } independent ones), column { $column }; residual (rms) { $rms }.

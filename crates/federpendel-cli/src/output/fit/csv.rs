@@ -1,7 +1,8 @@
-//! Fits as a table: a row for each.
+//! Fits as a table: a row for each, and for each recording that could not be fitted.
 
 use std::io::{self, Write};
 
+use federpendel::Mix;
 use federpendel_fit::physical::Absent;
 use federpendel_fit::{Damping, Estimate, Given, Model, Parameters, Physical, damping};
 use federpendel_report::recording::{Fitted, sentences};
@@ -9,6 +10,7 @@ use federpendel_text::Catalogue;
 
 use super::super::csv::{Dialect, cell, records};
 use super::names::{law_names, quantity_name};
+use crate::fit::{Failed, Fits};
 
 /// What stands in the columns of each parameter and physical number, after its name.
 const ENDS: [&str; 4] = ["", "_stderr", "_low95", "_high95"];
@@ -22,15 +24,15 @@ enum Cell {
 /// A cell below the name of its column.
 type Column = (String, Cell);
 
-/// A row for each fit. All have the same columns.
+/// A row for each fit, with the same columns in all, and then one for each recording that has none: its name and why.
 pub(super) fn write(
-    fits: &[Fitted],
+    fits: &Fits,
     dialect: Dialect,
     catalogue: &Catalogue,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let row = |fit: &Fitted| Some(columns(fit, fit.report.best()?, catalogue));
-    let rows: Vec<Vec<Column>> = fits.iter().filter_map(row).collect();
+    let rows: Vec<Vec<Column>> = fits.fitted.iter().filter_map(row).collect();
     let header: Vec<String> =
         rows.first().into_iter().flatten().map(|(name, _)| name.clone()).collect();
     let written = |(_, found): Column| match found {
@@ -38,10 +40,19 @@ pub(super) fn write(
         Cell::Number(number) => number.map_or(String::new(), |number| cell(number, dialect)),
     };
     let rows = rows.into_iter().map(|row| row.into_iter().map(written).collect());
-    records(&header, rows, dialect, out)
+    let failed = fits.failed.iter().map(|failed| without_fit(failed, header.len()));
+    records(&header, rows.chain(failed), dialect, out)
 }
 
-/// All of a row.
+/// The row of a recording that could not be fitted: its name, empty cells, and why.
+fn without_fit(failed: &Failed, columns: usize) -> Vec<String> {
+    let mut row = vec![String::new(); columns];
+    row[columns - 1] = failed.failure.sentence();
+    row[0] = harmless(&failed.name);
+    row
+}
+
+/// All of a row; the name is first, and why there is no fit last.
 fn columns(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Vec<Column> {
     let mut columns = about(fit);
     for name in Parameters::NAMES.into_iter().chain(["static_acceleration"]) {
@@ -64,6 +75,8 @@ fn columns(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Vec<Column> {
         of("rms", Some(model.rms)),
         of("aicc", Some(model.criteria.aicc)),
         text("verdict", sentences(fit, catalogue).join(" ")),
+        text("notes", fit.notes(catalogue).join(" ")),
+        text("error", String::new()),
     ]);
     columns
 }
@@ -71,17 +84,26 @@ fn columns(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Vec<Column> {
 /// What was fitted, and whether the mix describes it.
 fn about(fit: &Fitted) -> Vec<Column> {
     let report = &fit.report;
+    // A mix without any law has a name here, since no cell would be nothing to choose from.
+    let named = |one: &Mix| if *one == Mix::default() { "none".to_owned() } else { mix(*one) };
+    let alternatives = report.verdict.alternatives.iter().map(named);
     vec![
         text("name", harmless(&fit.name)),
         text("quantity", quantity_name(report.quantity).to_owned()),
         text("unit", report.unit.clone()),
         text("length_unit", report.length_unit()),
-        text("laws", law_names(report.verdict.mix).join("+")),
+        text("laws", mix(report.verdict.mix)),
+        text("alternatives", alternatives.collect::<Vec<_>>().join(" ")),
         text("adequate", report.adequacy.adequate.to_string()),
         text("n", report.samples.to_string()),
         of("from", Some(report.window.from)),
         of("to", Some(report.window.to)),
     ]
+}
+
+/// The laws of a mix: `stokes+coulomb`.
+fn mix(mix: Mix) -> String {
+    law_names(mix).join("+")
 }
 
 /// Engineers' figures, and the equivalent damping ratio at the first and the last amplitude.

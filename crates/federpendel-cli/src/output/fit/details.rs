@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use federpendel_fit::{Model, Parameter};
 use federpendel_report::recording::{
-    Fitted, damping_rows, edge, parameter_name, parameter_value, stop_reason,
+    Fitted, correlation, damping_rows, edge, parameter_name, parameter_value, stop_reason,
 };
 use federpendel_text::Catalogue;
 
@@ -48,7 +48,7 @@ pub(super) fn write(
         let mut table = Table::new(catalogue);
         for (one, other, r) in pairs {
             let name = [one, other].map(|one| catalogue.text(parameter_name(one)));
-            table.named(name.join(", "), catalogue.number(r, 3));
+            table.named(name.join(", "), correlation(catalogue, r));
         }
         table.write(columns, out)?;
     }
@@ -70,8 +70,11 @@ fn statistics<'a>(fit: &Fitted, model: &Model, catalogue: &'a Catalogue) -> Tabl
     }
     damping_rows(fit, catalogue).into_iter().for_each(|(name, value)| table.named(name, value));
     table.row("fit-row-effective", catalogue.number(report.effective_samples, 4));
-    table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
-    table.row("fit-row-reduced", catalogue.number(model.reduced, 5));
+    // Without the noise of a value χ² is in its unit, and says nothing of how good a fit is.
+    if report.sigma.is_some() {
+        table.row("fit-row-chi", catalogue.number(model.chi_square, 5));
+        table.row("fit-row-reduced", catalogue.number(model.reduced, 5));
+    }
     table.row("fit-row-aic", catalogue.number(model.criteria.aic, 6));
     table.row("fit-row-aicc", catalogue.number(model.criteria.aicc, 6));
     table.row("fit-row-bic", catalogue.number(model.criteria.bic, 6));

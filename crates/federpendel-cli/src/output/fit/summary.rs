@@ -57,7 +57,8 @@ pub(super) fn write(
     table(rows, catalogue).write(columns, out)?;
     let metres = fit.report.length_unit() == "m" && !fit.read.value.is_angle();
     if metres && fit.physical.is_none() && fit.report.adequacy.adequate {
-        let hint = catalogue.text("physical-hint");
+        let dry = fit.report.verdict.mix.coulomb;
+        let hint = catalogue.text(if dry { "physical-hint.guided" } else { "physical-hint" });
         wrap(&hint, columns).iter().try_for_each(|line| writeln!(out, "{line}"))?;
     }
     writeln!(out)?;

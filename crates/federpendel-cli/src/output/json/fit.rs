@@ -49,6 +49,7 @@ struct FitFields {
     models: Vec<ModelFields>,
     rest: Option<RestFields>,
     window: WindowFields,
+    notes: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -158,6 +159,7 @@ fn fields(fit: &Fitted, catalogue: &Catalogue) -> Option<FitFields> {
         models: report.models.iter().map(model).collect(),
         rest: rest.map(|rest| RestFields { time: rest.time, position: rest.position }),
         window: WindowFields { from: report.window.from, to: report.window.to },
+        notes: fit.notes(catalogue),
     })
 }
 
