@@ -31,7 +31,35 @@ fn without_the_page_it_is_said_how_to_get_it() {
 mod with_the_page {
     use std::io::{BufRead, BufReader, Read, Write};
     use std::net::TcpStream;
-    use std::process::{Command, Stdio};
+    use std::process::{Child, Command, Stdio};
+
+    /// The program while it serves; it ends with this, also where a test fails.
+    struct Served {
+        program: Child,
+        address: String,
+    }
+
+    impl Served {
+        fn start() -> Self {
+            let mut program = Command::new(env!("CARGO_BIN_EXE_federpendel"))
+                .args(["serve", "--no-open", "--lang", "en"])
+                .stdout(Stdio::piped())
+                .spawn()
+                .expect("the program");
+            let mut line = String::new();
+            BufReader::new(program.stdout.take().unwrap()).read_line(&mut line).unwrap();
+            let address = line.split("http://").nth(1).and_then(|rest| rest.split('/').next());
+            let address = address.expect("an address").to_owned();
+            Self { program, address }
+        }
+    }
+
+    impl Drop for Served {
+        fn drop(&mut self) {
+            let _ = self.program.kill();
+            let _ = self.program.wait();
+        }
+    }
 
     fn get(address: &str, path: &str) -> (String, Vec<u8>) {
         let mut stream = TcpStream::connect(address).expect("a server");
@@ -46,37 +74,19 @@ mod with_the_page {
 
     #[test]
     fn a_body_that_never_comes_keeps_nobody_waiting() {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_federpendel"))
-            .args(["serve", "--no-open", "--lang", "en"])
-            .stdout(Stdio::piped())
-            .spawn()
-            .expect("the program");
-        let mut line = String::new();
-        BufReader::new(program.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.split("http://").nth(1).and_then(|rest| rest.split('/').next()).unwrap();
-        let mut silent = TcpStream::connect(address).expect("a server");
+        let served = Served::start();
+        let mut silent = TcpStream::connect(&served.address).expect("a server");
         write!(silent, "POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 50000\r\n\r\n").unwrap();
         std::thread::sleep(std::time::Duration::from_millis(200));
-        let (headers, _) = get(address, "/Cargo.toml");
-        program.kill().unwrap();
-        program.wait().unwrap();
+        let (headers, _) = get(&served.address, "/Cargo.toml");
         assert!(headers.starts_with("HTTP/1.1 404"), "{headers}");
     }
 
     #[test]
     fn it_serves_the_bytes_of_the_file_and_nothing_else() {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_federpendel"))
-            .args(["serve", "--no-open", "--lang", "en"])
-            .stdout(Stdio::piped())
-            .spawn()
-            .expect("the program");
-        let mut line = String::new();
-        BufReader::new(program.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.split("http://").nth(1).and_then(|rest| rest.split('/').next()).unwrap();
-        let (headers, page) = get(address, "/");
-        let (missing, _) = get(address, "/Cargo.toml");
-        program.kill().unwrap();
-        program.wait().unwrap();
+        let served = Served::start();
+        let (headers, page) = get(&served.address, "/");
+        let (missing, _) = get(&served.address, "/Cargo.toml");
         assert!(headers.starts_with("HTTP/1.1 200") && headers.contains("text/html"), "{headers}");
         assert_eq!(page, include_bytes!("../../../web/dist/federpendel.html"));
         assert!(missing.starts_with("HTTP/1.1 404"), "{missing}");

@@ -142,14 +142,19 @@ fn residual(problem: &Problem, patterns: &Patterns) -> Option<Finding> {
     };
     let size = rms / (patterns.widest() / values.len() as f64).sqrt();
     let beyond = rms / fast_noise(values).max(f64::MIN_POSITIVE);
-    (size > LARGE && beyond > BEYOND_NOISE).then_some(Finding {
+    (size > LARGE && beyond > BEYOND_NOISE).then(|| unexplained(size, beyond))
+}
+
+/// What the fit leaves altogether: so large beside the widest swing, so many times the noise from value to value.
+fn unexplained(size: f64, beyond: f64) -> Finding {
+    Finding {
         fault: Fault::Residual,
         size,
         share: 1.0,
         significance: beyond * beyond,
         effect: size,
         grave: true,
-    })
+    }
 }
 
 /// From this damping ratio on a motion swings no more than a few times before it is too small to be seen.
@@ -163,14 +168,7 @@ fn swinging(patterns: &Patterns) -> Option<Finding> {
     let rms = (patterns.cost / patterns.residuals.len() as f64).sqrt();
     let size = (patterns.cost / patterns.widest()).sqrt();
     let beyond = rms / fast_noise(&patterns.residuals).max(f64::MIN_POSITIVE);
-    (seen.extremes.len() >= TURNS && beyond > BEYOND_NOISE).then_some(Finding {
-        fault: Fault::Residual,
-        size,
-        share: 1.0,
-        significance: beyond * beyond,
-        effect: size,
-        grave: true,
-    })
+    (seen.extremes.len() >= TURNS && beyond > BEYOND_NOISE).then(|| unexplained(size, beyond))
 }
 
 /// A drift of the period that goes with the amplitude is said once, as that.

@@ -142,6 +142,11 @@ impl FitReport {
     pub fn rejection(&self, mix: Mix) -> Option<f64> {
         self.ranking.rejection(mix)
     }
+
+    /// Whether a mix was asked for that is rejected.
+    pub fn asked_rejected(&self) -> bool {
+        self.asked_rejection.is_some_and(|p| p < LEVEL)
+    }
 }
 
 impl Ranking {

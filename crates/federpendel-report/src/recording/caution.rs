@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use federpendel_fit::ranking::LEVEL;
 use federpendel_fit::{Edge, Fault, Loss, Model, Rest};
 use federpendel_text::Catalogue;
 
@@ -35,7 +34,7 @@ pub fn cautions(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> Vec<Strin
 
 /// What makes up the residuals where no noise does, though it is little beside the motion.
 fn pattern(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
-    if fit.report.asked_rejection.is_some_and(|p| p < LEVEL) {
+    if fit.report.asked_rejected() {
         // What another mix leaves no trace of says nothing of all mixes.
         return None;
     }

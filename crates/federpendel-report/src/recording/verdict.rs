@@ -1,7 +1,6 @@
 //! What a fit found, in sentences.
 
 use federpendel::Mix;
-use federpendel_fit::ranking::LEVEL;
 use federpendel_fit::{Fault, Laws, Model, Standing, damping};
 use federpendel_text::Catalogue;
 
@@ -138,8 +137,7 @@ fn as_asked(fit: &Fitted, model: &Model, catalogue: &Catalogue) -> String {
 
 /// That further laws fit better than the mix that was asked for.
 fn asked_rejected(fit: &Fitted, catalogue: &Catalogue) -> Option<String> {
-    let p = fit.report.asked_rejection?;
-    (p < LEVEL).then(|| catalogue.text("fit-asked-rejected"))
+    fit.report.asked_rejected().then(|| catalogue.text("fit-asked-rejected"))
 }
 
 /// From this damping ratio on one cannot count swings, and the regime is said.
