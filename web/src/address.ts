@@ -2,12 +2,14 @@
 // known are passed over, so that old links open in new pages, and new ones in old pages.
 
 import { type Engine, type Experiment, isRefusal } from "./engine";
-import { type App, type Change, PLOTS, type State } from "./state";
+import { type App, type Change, PLOTS, type PlotName, type State } from "./state";
+import { LOOKS } from "./view/kept";
+import type { Extent } from "./view/plot/figure";
 
 /** How long the address waits for the next change, ms: browsers refuse to write it at every move of a slider. */
 const DELAY = 250;
 
-const LINKED: (keyof State)[] = ["experiment", "time", "playing", "speed", "arrows", "plots", "lens"];
+const LINKED: (keyof State)[] = ["experiment", "time", "playing", "speed", "arrows", "plots", "zooms", "lens", "kept", "classMode"];
 
 /** Keeps the address up to date, but for the time while it runs. */
 export function keepAddress(app: App): void {
@@ -24,14 +26,22 @@ export const address = (app: App) => location.href.split("#")[0] + link(app);
 
 /** What is not as it is to begin with is written. */
 function link({ engine, state }: App): string {
-  const { time, speed, arrows, plots, lens } = state;
+  const { time, speed, arrows, plots, lens, classMode } = state;
   const view = [
     time > 0 && `time=${time}`, speed !== 1 && `speed=${speed}`, !arrows && "forces=no",
     plots.length < PLOTS.length && `plots=${plots.join("+")}`,
-    lens.open && `method=${lens.method}`, lens.open && lens.step !== null && `step=${lens.step}`,
+    lens.open && `method=${lens.method}`, lens.open && lens.step !== null && `step=${lens.step}`, classMode && "class=yes",
+    ...PLOTS.map((name) => state.zooms[name] && `zoom-${name}=${bounds(state.zooms[name])}`),
+    ...state.kept.map(({ experiment, look }) => `kept${look}=${within(engine.encode(experiment))}`),
   ];
   return `#${[engine.encode(state.experiment), ...view.filter(Boolean)].join(";")}`;
 }
+
+const bounds = ({ x, y }: Extent) => [...x, ...y].join("_");
+
+/** An experiment within the address of another: signs that do not end a part of that one. */
+const within = (encoded: string) => encoded.replaceAll(";", "~").replaceAll("=", ":");
+const without = (written: string) => written.replaceAll("~", ";").replaceAll(":", "=");
 
 /** Some programs that pass links on write signs as %2B. */
 function unescaped(text: string): string {
@@ -45,8 +55,10 @@ function unescaped(text: string): string {
 const given = () => unescaped(location.hash.slice(1));
 
 /** The experiment of the address, if there is one and it can be. */
-export function experimentOfAddress(engine: Engine): Experiment | null {
-  const experiment = engine.decode(given());
+export const experimentOfAddress = (engine: Engine) => possible(engine, given());
+
+function possible(engine: Engine, written: string): Experiment | null {
+  const experiment = engine.decode(written);
   if (!experiment) return null;
   const solution = engine.solve(experiment, "en");
   if (isRefusal(solution)) return null;
@@ -67,7 +79,23 @@ export function viewOfAddress(engine: Engine, { duration }: Experiment): Change 
     time: Math.min(positive("time") ?? 0, duration),
     speed: positive("speed") ?? 1,
     arrows: parts.get("forces") !== "no",
+    zooms: zooms(parts),
+    kept: LOOKS.flatMap((look) => {
+      const experiment = possible(engine, without(parts.get(`kept${look}`) ?? ""));
+      return experiment ? [{ experiment, look }] : [];
+    }),
     ...(shown && { plots: PLOTS.filter((name) => shown.includes(name)) }),
     ...(method && { lens: { method, step: positive("step"), open: true } }),
+    // A link of a teacher hides verdicts; none shows those that are hidden.
+    ...(parts.get("class") === "yes" && { classMode: true }),
   };
+}
+
+function zooms(parts: Map<string, string>): State["zooms"] {
+  const found = PLOTS.flatMap((name): [PlotName, Extent][] => {
+    const [left, right, low, high] = (parts.get(`zoom-${name}`) ?? "").split("_").map(Number);
+    const rising = (from?: number, to?: number) => from !== undefined && to !== undefined && from < to && Number.isFinite(to - from);
+    return rising(left, right) && rising(low, high) ? [[name, { x: [left!, right!], y: [low!, high!] }]] : [];
+  });
+  return Object.fromEntries(found);
 }

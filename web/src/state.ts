@@ -1,6 +1,7 @@
 // Everything the page knows, and the one way to change it.
 
 import { type Asked, type Engine, type Experiment, type Fitted, isRefusal, type Language, type Refusal, type Solution } from "./engine";
+import type { Extent } from "./view/plot/figure";
 
 export const PLOTS = ["motion", "phase", "energy", "decrement"] as const;
 export type PlotName = (typeof PLOTS)[number];
@@ -46,6 +47,8 @@ export interface State {
   lens: { method: string; step: number | null; open: boolean };
   /** Which plots are shown. */
   plots: readonly PlotName[];
+  /** The parts of the plots that the reader has enlarged. */
+  zooms: Partial<Record<PlotName, Extent>>;
   /** Motions to compare with, each with the number of its look. */
   kept: { experiment: Experiment; look: 0 | 1 | 2 }[];
   recording: Recording | null;
@@ -159,7 +162,7 @@ function initial(engine: Engine, language: Language, theme: Theme, experiment: E
     language, theme, draft: experiment, experiment, solution, refusal: null,
     time: 0, playing: false, speed: 1, held: false, pointed: null, arrows: true,
     lens: { method: engine.methods(language)[0]?.id ?? "", step: null, open: false },
-    plots: innerWidth < NARROW ? ["motion"] : PLOTS,
+    plots: innerWidth < NARROW ? ["motion"] : PLOTS, zooms: {},
     kept: [], recording: null, asked: {}, classMode: false, revealed: false, overlaid: false, colours: 0,
   };
 }

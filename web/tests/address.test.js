@@ -40,6 +40,49 @@ describe('address', { concurrency: 2 }, () => {
     }, {}, link));
   });
 
+  test('a link restores kept curves, enlarged parts and the mode for the class; another language leaves them', () => {
+    let link = '';
+    const pictures = (page) => page.$$eval('.plots .plot-area canvas:first-child', (all) => all.map((it) => it.toDataURL()));
+    let seen = [];
+    return open(browser, async (page) => {
+      const keep = page.getByRole('button', { name: 'Keep this curve' });
+      await keep.click();
+      await page.selectOption('#preset', 'article-stokes');
+      await keep.click();
+      // The first look stays free, so that the second must come back as the second.
+      await page.getByRole('button', { name: /^Remove/ }).first().click();
+      await page.selectOption('#preset', 'all-three');
+      for (const name of [0, 1, 2, 3]) await page.getByRole('button', { name: 'Zoom in' }).nth(name).click();
+      await page.getByLabel('For the class').check();
+      link = await address(page);
+      // The pointer would be seen in a plot.
+      await page.mouse.move(0, 0);
+      seen = await pictures(page);
+    }).then(() => open(browser, async (page) => {
+      // Not deepEqual, which would print the pictures.
+      assert.ok((await pictures(page)).every((picture, k) => picture === seen[k]), 'the plots look as they did');
+      assert.match(await page.locator('.kept li line').getAttribute('stroke'), /kept1/);
+      assert.ok(await page.getByLabel('For the class').isChecked());
+      assert.equal(await address(page), link);
+      await page.selectOption('#language', 'de');
+      assert.equal(await address(page), link);
+      await page.evaluate(() => (location.hash = '#1;mass=3'));
+      await page.waitForFunction(() => document.querySelector('#field-mass').value === '3');
+      assert.equal(await page.locator('.kept li').count(), 0);
+      assert.equal((await address(page)).includes('zoom'), false);
+      // A link of somebody else shows no verdict that is hidden.
+      assert.ok(await page.locator('.recording input[type=checkbox]').first().isChecked());
+    }, {}, link));
+  });
+
+  test('enlarged parts and kept curves that cannot be are passed over', () =>
+    open(browser, async (page) => {
+      assert.equal(await notice(page), '');
+      assert.equal(await page.locator('.kept li').count(), 0);
+      await page.getByRole('button', { name: 'On to the next turning point' }).click();
+      assert.doesNotMatch(await address(page), /zoom|kept/);
+    }, {}, '#1;mass=2;zoom-motion=3_1_0_1;zoom-phase=0_1_0;zoom-energy=0_x_0_1;zoom-decrement=0_1e999_0_1;kept0=1~mass:-1;kept1=2;kept7=1'));
+
   test('signs that a mailer has written otherwise are understood', () =>
     open(browser, async (page) => {
       assert.ok(await page.isChecked('#law-stokes'));

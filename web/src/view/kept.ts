@@ -8,7 +8,7 @@ import { acting, LAW_OF, matters } from "./matters";
 import { unitText } from "./symbol";
 
 /** Looks that there are. */
-const LOOKS = [0, 1, 2] as const;
+export const LOOKS = [0, 1, 2] as const;
 type Kept = App["state"]["kept"][number];
 
 /** A kept motion as the plots draw it. */

@@ -5,7 +5,7 @@ import { h } from "./dom";
 import * as figures from "./figures";
 import { ghosts, keeper } from "./kept";
 import { turns } from "./turns";
-import type { Figure } from "./plot/figure";
+import type { Extent, Figure } from "./plot/figure";
 import { plot, type Plot } from "./plot/plot";
 
 type All = Record<PlotName, Plot>;
@@ -40,12 +40,19 @@ function make(app: App): All {
     onPick: (t: number) => app.update({ playing: false, time: Math.min(app.state.experiment.duration, Math.max(0, t)) }),
   };
   const columns = () => figures.samples(app, ghosts(app));
+  const zoom = (name: PlotName) => ({
+    get: () => app.state.zooms[name] ?? null,
+    set(to: Extent | null) {
+      const { [name]: _, ...others } = app.state.zooms;
+      app.update({ zooms: to ? { ...others, [name]: to } : others });
+    },
+  });
   const all: All = {
-    motion: plot(app, { ...time, columns, onZoom: () => all.motion.refine(motionZoomed(app, all.motion)) }),
+    motion: plot(app, { ...time, columns, zoom: zoom("motion"), onZoom: () => all.motion.refine(motionZoomed(app, all.motion)) }),
     // Its places are none of one time: the cursor is that of the others.
-    phase: plot(app, { columns, onPoint: () => {} }),
-    energy: plot(app, time),
-    decrement: plot(app),
+    phase: plot(app, { columns, zoom: zoom("phase"), onPoint: () => {} }),
+    energy: plot(app, { ...time, zoom: zoom("energy") }),
+    decrement: plot(app, { zoom: zoom("decrement") }),
   };
   return all;
 }

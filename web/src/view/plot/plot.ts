@@ -35,8 +35,21 @@ export interface Options {
   /** The pointer is at `x`, or has left. */
   onPoint?(x: number | null): void;
   onPick?(x: number): void;
+  /** Keeps which part is shown; without it, the plot does. */
+  zoom?: Zoom;
   /** Another part is shown than before; what was drawn may be too coarse. */
   onZoom?(): void;
+}
+
+/** The part that the reader wishes to see, or none for all. */
+export interface Zoom {
+  get(): Extent | null;
+  set(to: Extent | null): void;
+}
+
+function ownZoom(): Zoom {
+  let part: Extent | null = null;
+  return { get: () => part, set: (to) => (part = to) };
 }
 
 const PRINTED = { width: 440, height: 300 };
@@ -63,7 +76,6 @@ function part(wished: Extent, whole: Extent): Extent {
 interface Now {
   figure: Figure | null;
   whole: Extent;
-  zoomed: Extent | null;
   frame: Frame | null;
   marks: Mark[];
   /** What is said of the marks. */
@@ -73,14 +85,19 @@ interface Now {
 }
 
 const NOTHING: Now = {
-  figure: null, whole: { x: [0, 1], y: [0, 1] }, zoomed: null, frame: null, marks: [], words: "", hovered: null, selection: null,
+  figure: null, whole: { x: [0, 1], y: [0, 1] }, frame: null, marks: [], words: "", hovered: null, selection: null,
 };
 
 export function plot(app: App, options: Options = {}): Plot {
   const screen = layers();
   const parts = elements(screen.canvases);
   const now = { ...NOTHING };
-  const shown = () => (now.zoomed ? part(now.zoomed, now.whole) : now.whole);
+  const zoom = options.zoom ?? ownZoom();
+  const zoomed = () => {
+    const wished = zoom.get();
+    return wished && part(wished, now.whole);
+  };
+  const shown = () => zoomed() ?? now.whole;
 
   function redraw(): void {
     const { figure } = now;
@@ -100,8 +117,9 @@ export function plot(app: App, options: Options = {}): Plot {
     shown,
     both: () => now.figure?.x.symbol !== "t",
     zoom(to) {
-      now.zoomed = to && part(to, now.whole);
-      if (now.zoomed && [...now.zoomed.x, ...now.zoomed.y].join() === [...now.whole.x, ...now.whole.y].join()) now.zoomed = null;
+      const found = to && part(to, now.whole);
+      const all = found && [...found.x, ...found.y].join() === [...now.whole.x, ...now.whole.y].join();
+      zoom.set(all ? null : found);
       options.onZoom?.();
       redraw();
     },
@@ -123,7 +141,7 @@ export function plot(app: App, options: Options = {}): Plot {
 
   return {
     element: parts.element,
-    zoomed: () => now.zoomed && shown(),
+    zoomed,
     refine(figure) {
       now.figure = figure;
       redraw();
