@@ -6,6 +6,10 @@ import type { Extent } from "./view/plot/figure";
 export const PLOTS = ["motion", "phase", "energy", "decrement"] as const;
 export type PlotName = (typeof PLOTS)[number];
 
+/** The looks of kept motions. */
+export const LOOKS = [0, 1, 2] as const;
+export type Look = (typeof LOOKS)[number];
+
 export type Theme = "system" | "light" | "dark";
 
 export interface Recording {
@@ -50,7 +54,7 @@ export interface State {
   /** The parts of the plots that the reader has enlarged. */
   zooms: Partial<Record<PlotName, Extent>>;
   /** Motions to compare with, each with the number of its look. */
-  kept: { experiment: Experiment; look: 0 | 1 | 2 }[];
+  kept: { experiment: Experiment; look: Look }[];
   recording: Recording | null;
   /** What the reader says of the recorded experiment. */
   asked: Asked;
@@ -157,12 +161,15 @@ export function createApp(engine: Engine, language: Language, theme: Theme, give
   };
 }
 
+/** What is shown to begin with. */
+export const firstPlots = (): readonly PlotName[] => (innerWidth < NARROW ? ["motion"] : PLOTS);
+
 function initial(engine: Engine, language: Language, theme: Theme, experiment: Experiment, solution: Solution): State {
   return {
     language, theme, draft: experiment, experiment, solution, refusal: null,
     time: 0, playing: false, speed: 1, held: false, pointed: null, arrows: true,
     lens: { method: engine.methods(language)[0]?.id ?? "", step: null, open: false },
-    plots: innerWidth < NARROW ? ["motion"] : PLOTS, zooms: {},
+    plots: firstPlots(), zooms: {},
     kept: [], recording: null, asked: {}, classMode: false, revealed: false, overlaid: false, colours: 0,
   };
 }

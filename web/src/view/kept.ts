@@ -1,14 +1,12 @@
 // Motions that the reader keeps, to hold others beside them.
 
 import { type Experiment, isRefusal, type Solution } from "../engine";
-import type { App } from "../state";
+import { type App, LOOKS } from "../state";
 import { h, s } from "./dom";
 import { DASHES } from "./palette";
 import { acting, LAW_OF, matters } from "./matters";
 import { unitText } from "./symbol";
 
-/** Looks that there are. */
-export const LOOKS = [0, 1, 2] as const;
 type Kept = App["state"]["kept"][number];
 
 /** A kept motion as the plots draw it. */
@@ -19,26 +17,37 @@ export interface Ghost {
   duration: number;
 }
 
-const solved = new WeakMap<Experiment, { solution: Solution; duration: number }>();
+interface Solved {
+  solution: Solution;
+  duration: number;
+  /** How long it should be. */
+  wished: number;
+}
 
-/** Long enough to be seen beside the motion on the page. */
-function solve(app: App, experiment: Experiment): { solution: Solution; duration: number } | null {
-  const duration = Math.max(experiment.duration, app.state.experiment.duration);
+const solved = new WeakMap<Experiment, Solved>();
+
+/** Long enough to be seen beside the motion on the page; where it would swing too often so long, as long as it was kept. */
+function solve(app: App, experiment: Experiment): Solved | null {
+  const wished = Math.max(experiment.duration, app.state.experiment.duration);
   const known = solved.get(experiment);
-  if (known?.duration === duration) return known;
-  const solution = app.engine.solve({ ...experiment, duration }, app.state.language);
-  // So long it swings too often: it stays as long as it was.
-  if (isRefusal(solution)) return known ?? null;
-  known?.solution.free();
-  const found = { solution, duration };
-  solved.set(experiment, found);
-  return found;
+  if (known?.wished === wished) return known;
+  for (const duration of [wished, experiment.duration]) {
+    const solution = app.engine.solve({ ...experiment, duration }, app.state.language);
+    if (isRefusal(solution)) continue;
+    known?.solution.free();
+    const found = { solution, duration, wished };
+    solved.set(experiment, found);
+    return found;
+  }
+  return null;
 }
 
 export const ghosts = (app: App): Ghost[] =>
   app.state.kept.flatMap(({ experiment, look }) => {
     const found = solve(app, experiment);
-    return found ? [{ ...found, label: labelOf(app, experiment), paint: `kept${look}` as const }] : [];
+    if (!found) return [];
+    const { solution, duration } = found;
+    return [{ solution, duration, label: labelOf(app, experiment), paint: `kept${look}` as const }];
   });
 
 /** Coefficients that tell more than the law alone. */

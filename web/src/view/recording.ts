@@ -39,6 +39,7 @@ export function recording(app: App): HTMLElement {
   }
   app.on((changed) => {
     if (changed.has("recording")) show();
+    if (changed.has("classMode")) mode.checked = app.state.classMode;
   });
   show();
   const element = h("section", { class: "recording", "aria-labelledby": "recording-title" },

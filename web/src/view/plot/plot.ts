@@ -48,8 +48,8 @@ export interface Zoom {
 }
 
 function ownZoom(): Zoom {
-  let part: Extent | null = null;
-  return { get: () => part, set: (to) => (part = to) };
+  let kept: Extent | null = null;
+  return { get: () => kept, set: (to) => (kept = to) };
 }
 
 const PRINTED = { width: 440, height: 300 };
