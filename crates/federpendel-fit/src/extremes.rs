@@ -33,6 +33,8 @@ pub struct Look {
 /// an eighth of its height, and the shape is the same at every extreme, so that amplitudes keep
 /// their ratios.
 const REACH: f64 = 0.2;
+/// What comes this near to where it ends up, as a share of the way, has got there for a first look.
+const ARRIVED: f64 = 0.1;
 /// A value this many standard deviations of the noise off its neighbours is an outlier to a first
 /// look.
 const OUTLIER: f64 = 8.0;
@@ -49,7 +51,7 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
     // measure.
     let wide = [0.35, 0.2].iter().map(|share| turns(values, share * range));
     let wide = wide.into_iter().find(|found| found.len() >= 3)?;
-    let mut half = spacing(times, &wide)?;
+    let mut half = spacing(times, values, &wide)?;
     let mut found = None;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     for _ in 0..2 {
@@ -67,7 +69,8 @@ pub fn look(times: &[f64], values: &[f64]) -> Option<Look> {
         if pivots.first().is_some_and(|&i| times[i] - times[0] < REACH * half) {
             pivots.remove(0);
         }
-        half = spacing(times, &pivots[..pivots.len().min(wide.len().max(8))]).unwrap_or(half);
+        let first = &pivots[..pivots.len().min(wide.len().max(8))];
+        half = spacing(times, &smooth, first).unwrap_or(half);
         found = Some((smooth, noise, left, pivots));
     }
     let (smooth, noise, left, pivots) = found?;
@@ -82,6 +85,14 @@ pub fn fast_noise(values: &[f64]) -> f64 {
     spread(values.windows(3).map(|w| w[0] - 2.0 * w[1] + w[2])) / 6f64.sqrt()
 }
 
+/// The same from fourth differences: a motion sampled a dozen times in half a period adds a thousandth of its
+/// amplitude at most, and it is too small where neighbours share their noise or a sensor its steps.
+pub fn finest_noise(values: &[f64]) -> f64 {
+    let fourth = |w: &[f64]| w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4];
+    // A fourth difference has √70 of it.
+    spread(values.windows(5).map(fourth)) / 70f64.sqrt()
+}
+
 /// The standard deviation of normal numbers around zero, from the median of their sizes, which outliers do not
 /// sway; zero of none.
 pub fn spread(numbers: impl Iterator<Item = f64>) -> f64 {
@@ -90,7 +101,7 @@ pub fn spread(numbers: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The values, with those that stand far off the median of five neighbours replaced by it.
-fn without_outliers(values: &[f64]) -> Cow<'_, [f64]> {
+pub fn without_outliers(values: &[f64]) -> Cow<'_, [f64]> {
     let limit = OUTLIER * fast_noise(values);
     let mut clean = Cow::Borrowed(values);
     for (i, around) in values.windows(5).enumerate() {
@@ -139,9 +150,15 @@ fn turns(values: &[f64], threshold: f64) -> Vec<usize> {
     found
 }
 
-/// The median time between neighbours.
-fn spacing(times: &[f64], indices: &[usize]) -> Option<f64> {
-    let mut gaps: Vec<f64> = indices.windows(2).map(|w| times[w[1]] - times[w[0]]).collect();
+/// The median time between neighbouring turns.
+fn spacing(times: &[f64], values: &[f64], turns: &[usize]) -> Option<f64> {
+    let mut gaps: Vec<f64> = turns.windows(2).map(|w| times[w[1]] - times[w[0]]).collect();
+    // Where it rests any value may be the extreme: of few turns the last is where it gets there.
+    if let ([.., before, last], Some(gap)) = (turns, gaps.last_mut()) {
+        let near = ARRIVED * (values[*before] - values[*last]).abs();
+        let there = (*before..=*last).find(|&i| (values[i] - values[*last]).abs() <= near);
+        *gap = there.map_or(*gap, |i| times[i] - times[*before]);
+    }
     median(&mut gaps)
 }
 

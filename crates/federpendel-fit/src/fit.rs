@@ -6,12 +6,13 @@ use federpendel::Mix;
 
 use crate::Recording;
 use crate::adequacy::{adequacy, noise};
-use crate::check::{FEWEST, check};
+use crate::beginning::settled;
+use crate::check::check;
 use crate::clipping::unclipped;
 use crate::condense::{Whole, condense};
 use crate::covariance::variance;
 use crate::error::FitError;
-use crate::extremes::{look, spread};
+use crate::extremes::spread;
 use crate::least_squares::Minimum;
 use crate::mixes::{Fitted, fit_all, free};
 use crate::noise::Excess;
@@ -24,7 +25,7 @@ use crate::robust::robust;
 use crate::shares::shares;
 use crate::start::mix;
 use crate::unit::unit_of_values;
-use crate::window::{Edge, Found, Window};
+use crate::window::{Found, Window};
 
 /// So many turns that stand out of the noise are an oscillation, whatever is fitted to it.
 const TURNS: usize = 5;
@@ -50,7 +51,12 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
     let all = recording;
     let recording = condensed.as_ref().map_or(all, |condensed| &condensed.recording);
     let (found, clipping) = unclipped(all, recording, options);
-    let (mut found, mut fits) = settled(recording, found, options)?;
+    let laws = match options.laws {
+        Laws::Among(mix) => mix,
+        // Else a mix that is wrong would have no beginning that fits.
+        Laws::Exactly(_) => ALL,
+    };
+    let (mut found, mut fits) = settled(recording, found, options, laws)?;
     let mut asked_rejection = None;
     if let Laws::Exactly(mix) = options.laws {
         let asked = Fits::new(recording, &found, options, mix)?;
@@ -66,35 +72,6 @@ pub fn fit(recording: &Recording, options: &Options) -> Result<FitReport, FitErr
     Ok(FitReport { asked_rejection, clipping, ..report })
 }
 
-/// The window without first values that do not belong to the motion, as those of a hand that let go late, and the fits
-/// of all laws to it that may act, whichever was asked for: else a mix that is wrong would have no beginning that fits.
-fn settled<'a>(
-    recording: &Recording,
-    mut found: Found,
-    options: &Options,
-) -> Result<(Found, Fits<'a>), FitError> {
-    let laws = match options.laws {
-        Laws::Among(mix) => mix,
-        Laws::Exactly(_) => ALL,
-    };
-    let mut fits = Fits::new(recording, &found, options, laws)?;
-    let mut uncut = None;
-    for _ in 0..3 {
-        let Some(first) = fits.misfit(&found.window, options) else { break };
-        let Window { end, ends, .. } = found.window;
-        let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
-        let part = (&recording.times[first..end], &recording.values[first..end]);
-        let look = look(part.0, part.1).or(found.look.clone());
-        let shorter = Found { window, look };
-        let Ok(again) = Fits::new(recording, &shorter, options, laws) else { break };
-        uncut.get_or_insert((found, fits));
-        (found, fits) = (shorter, again);
-    }
-    // What stays however much is cut comes of a motion that no mix describes, not of a hand.
-    let stays = uncut.is_some() && fits.misfit(&found.window, options).is_some();
-    Ok(uncut.filter(|_| stays).unwrap_or((found, fits)))
-}
-
 /// The fits of all mixes to one window.
 pub struct Fits<'a> {
     pub problem: Problem,
@@ -106,7 +83,7 @@ pub struct Fits<'a> {
 }
 
 impl Fits<'_> {
-    fn new(
+    pub fn new(
         recording: &Recording,
         found: &Found,
         options: &Options,
@@ -134,37 +111,8 @@ impl Fits<'_> {
     }
 
     /// The fit of the largest mix, which all others are part of.
-    fn largest(&self) -> &Fitted {
+    pub fn largest(&self) -> &Fitted {
         &self.fitted[0]
-    }
-
-    /// The index from which on the recording fits, if its first values do not belong to the motion:
-    /// over the first eighth of a period, or over the first swing, the residuals are far larger
-    /// than after it.
-    fn misfit(&mut self, window: &Window, options: &Options) -> Option<usize> {
-        if options.from.is_some() {
-            return None;
-        }
-        let Minimum { at, ending, .. } = self.largest().minimum;
-        let residuals = self.problem.residuals(&at, ending)?;
-        let begin = self.problem.times[0];
-        let half = PI / at[OMEGA];
-        let index =
-            |swings: f64| self.problem.times.partition_point(|&t| t <= begin + swings * half);
-        let rms = |from: usize, to: usize| {
-            let part = &residuals[from..to];
-            (part.iter().map(|r| r * r).sum::<f64>() / part.len().max(1) as f64).sqrt()
-        };
-        // How long the part is, how many times larger its residuals, and where the window begins
-        // without it.
-        for (part, times, without) in [(0.25, 3.0, 0.6), (1.0, 2.0, 1.0)] {
-            let (end, later) = (index(part), index(part + 4.0));
-            let enough = end >= 2 && later >= end + FEWEST && self.problem.len() >= 2 * later;
-            if enough && rms(0, end) > times * rms(end, later) {
-                return Some(window.first + index(without));
-            }
-        }
-        None
     }
 
     fn report(

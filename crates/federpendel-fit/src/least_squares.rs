@@ -114,7 +114,8 @@ pub fn minimise(
             break;
         }
         let trial = at + step;
-        let sane = trial[OMEGA] > 0.5 * at[OMEGA] && trial[OMEGA] < 2.0 * at[OMEGA];
+        let most = problem.fastest.min(2.0 * at[OMEGA]);
+        let sane = trial[OMEGA] > 0.5 * at[OMEGA] && trial[OMEGA] < most;
         let tried = if sane { problem.normal(&trial, ending) } else { None };
         match tried {
             Some(next) if next.cost < normal.cost => {
@@ -134,7 +135,10 @@ pub fn minimise(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
+    use crate::Quantity;
 
     const ALL: [bool; 7] = [true; 7];
 
@@ -169,5 +173,19 @@ mod tests {
         let (step, _) = bounded_step(&bowl(&at, &centre, 0.0), &at, &ALL, 0.0).expect("solvable");
         assert_eq!(step[1], 0.0);
         assert!((step[2] - 2.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn no_frequency_beyond_that_of_the_values_is_looked_for() {
+        // From each value to the next it swings 1.05 times; a search from 0.995 times on goes there if it may.
+        let times: Vec<f64> = (0..16).map(f64::from).collect();
+        let values = times.iter().map(|time| (1.05 * PI * time).sin()).collect();
+        let mut problem = Problem::new(times, values, Quantity::Position);
+        let omega = 0.995 * PI;
+        let start = Vector::from([omega, 0.0, 0.0, 0.0, 0.0, omega, 0.0]);
+        let free = [true, false, false, false, false, false, false];
+        let found = minimise(&mut problem, &start, &free, Ending::Natural, Effort::FINE);
+        let omega = found.map(|found| found.at[OMEGA]);
+        assert!(omega.is_some_and(|omega| omega < PI), "{omega:?}");
     }
 }

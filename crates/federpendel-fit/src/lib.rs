@@ -34,6 +34,7 @@
 //! ```
 
 pub mod adequacy;
+mod beginning;
 mod bootstrap;
 mod check;
 pub mod clipping;
@@ -46,6 +47,7 @@ pub mod error;
 pub mod extremes;
 mod fit;
 mod growing;
+mod held;
 pub mod information;
 mod jumps;
 mod least_squares;

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::extremes::median;
 use crate::model::{Course, Jacobian, Parameters, Stop, evaluate};
 use crate::{Quantity, jumps};
 
@@ -119,6 +120,8 @@ pub struct Problem {
     pub loss: (Loss, f64),
     /// Half the time over which jumps of an acceleration are spread, s; see [`crate::jumps`].
     pub spread: Option<f64>,
+    /// The highest angular frequency to be looked for, 1/s: half a period takes as long as from one value to the next.
+    pub fastest: f64,
     model: Vec<f64>,
     jacobian: Jacobian,
     /// Evaluations of the model so far.
@@ -152,7 +155,10 @@ impl Problem {
         let loss = (Loss::Squares, 1.0);
         let model = vec![0.0; times.len()];
         let jacobian = Jacobian::new();
-        Self { times, values, quantity, loss, spread: None, model, jacobian, evaluations: 0 }
+        let mut steps: Vec<f64> = times.array_windows().map(|[one, next]| next - one).collect();
+        let fastest = median(&mut steps).map_or(f64::INFINITY, |step| PI / step);
+        let spread = None;
+        Self { times, values, quantity, loss, spread, fastest, model, jacobian, evaluations: 0 }
     }
 
     /// How many values there are.
@@ -175,6 +181,7 @@ impl Problem {
         let take = |all: &[f64]| all[..count].iter().step_by(stride).copied().collect::<Vec<_>>();
         let mut part = Self::new(take(&self.times), take(&self.values), self.quantity);
         part.loss = self.loss;
+        part.fastest = self.fastest;
         // Jumps are spread over so many values, of which there are fewer now.
         part.spread = self.spread.map(|half| half * stride as f64);
         part

@@ -1,9 +1,10 @@
 //! Which part of a recording is a free decay.
 
-use crate::Recording;
 use crate::check::FEWEST;
 use crate::extremes::{Extreme, Look, bounds, look, median};
+use crate::held::held;
 use crate::stopped::decay;
+use crate::{Quantity, Recording};
 
 /// Why a window begins or ends where it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -75,14 +76,19 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
         let part = window.first..window.end;
         look(&times[part.clone()], &recording.values[part])
     };
+    let part = window.first..window.end;
+    let held = held(&times[part.clone()], &recording.values[part]).filter(|_| from.is_none());
+    if let Some(held) = held {
+        window = Window::between(times, window.first + held.end, end, Edge::Held, window.ends);
+    }
     let mut whole = seen(&window);
     let part = whole.as_ref().map(|look| decay(&times[window.first..end], look));
     let part = part.unwrap_or_default();
     if let Some((last, edge)) = part.to.filter(|_| to.is_none()) {
         window = cut(times, window, last, edge);
     }
-    if let Some(held) = part.from.filter(|_| from.is_none()) {
-        let first = times.partition_point(|&t| t < held);
+    if let Some(tried) = part.from.filter(|_| from.is_none()) {
+        let first = times.partition_point(|&t| t < tried);
         window = Window::between(times, first, window.end, Edge::Held, window.ends);
     }
     if window.end - window.first < end - first {
@@ -91,7 +97,8 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     let Window { first, end, begins, ends, .. } = window;
     if let Some(look) = &whole {
         if from.is_none() {
-            let (start, edge) = start(&times[first..], look);
+            let held = held.map(|held| held.level);
+            let (start, edge) = start(&times[first..], look, held, recording.quantity);
             if edge != Edge::Recording {
                 let first = times.partition_point(|&t| t < start).min(end - 1);
                 window = Window::between(times, first, end, edge, window.ends);
@@ -110,12 +117,15 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     Found { window, look }
 }
 
-/// When the free motion begins, and why then.
-fn start(times: &[f64], look: &Look) -> (f64, Edge) {
+/// Of so many turns the first can be spared: the verdict warns of fewer than five swings.
+const MANY: usize = 6;
+
+/// When the free motion begins, and why then; `held` is the level where the mass was held until the first of `times`.
+fn start(times: &[f64], look: &Look, held: Option<f64>, quantity: Quantity) -> (f64, Edge) {
     let widest = widest(&look.extremes);
     let still = still_until(times, look, widest);
     // Half a swing around a turn stays within 2 % of the width for a fifth of it at most.
-    let lay_still = still - times[0] > 0.3 * look.half;
+    let lay_still = held.is_none() && still - times[0] > 0.3 * look.half;
     let moving = look.extremes.partition_point(|extreme| lay_still && extreme.time <= still);
     let extremes = &look.extremes[moving..];
     // Free swings only shrink: the decay begins with the first of the widest.
@@ -123,13 +133,18 @@ fn start(times: &[f64], look: &Look) -> (f64, Edge) {
     let first = extremes.windows(2).position(wide).unwrap_or(0);
     // A little later than an extreme, where nothing jumps.
     let after = |extreme: &Extreme| extreme.time + 0.1 * look.half;
-    let pushed = (look.smooth[0] - middle(look, widest)).abs() < 0.25 * widest;
+    let level = held.unwrap_or(look.smooth[0]);
+    let pushed = (level - middle(look, widest)).abs() < 0.25 * widest;
+    // Velocity and acceleration begin from there where a mass is let go, too: if it is known when it set off and few
+    // swings follow, the first is kept.
+    let spare = held.is_none() || quantity == Quantity::Position || extremes.len() >= MANY;
     match extremes.get(first) {
         Some(extreme) if first > 0 => (after(extreme), Edge::Driven),
-        _ if !lay_still => (times[0], Edge::Recording),
+        _ if !lay_still && held.is_none() => (times[0], Edge::Recording),
         // From where it rests it was pushed: by its first turn that is over. So it looks, and no
         // more than a swing is lost, where a velocity or an acceleration was recorded.
-        Some(next) if pushed => (after(next), Edge::Held),
+        Some(next) if pushed && spare => (after(next), Edge::Held),
+        _ if held.is_some() => (times[0], Edge::Held),
         _ => (still + 0.1 * look.half, Edge::Held),
     }
 }
@@ -156,7 +171,7 @@ fn middle(look: &Look, widest: f64) -> f64 {
 fn still_until(times: &[f64], look: &Look, width: f64) -> f64 {
     let band = 0.02 * width + 4.0 * look.left;
     let until = look.smooth.iter().position(|value| (value - look.smooth[0]).abs() > band);
-    // The smoothed values set off earlier by the reach of smoothing; that is made up for in
+    // The smoothed values set off earlier by up to the reach of smoothing; half of that is made up for in
     // `start`.
     until.map_or(times[0], |i| times[i])
 }
