@@ -27,7 +27,7 @@ const CLOSE: f64 = 1.3;
 const WORSE: f64 = 2.0;
 
 /// The window without first values that do not belong to the motion, as those of a hand that let go late, and the fits
-/// of all mixes of `laws` to it.
+/// of all mixes of `laws` to it. Where the beginning was asked for it stays.
 pub fn settled<'a>(
     recording: &Recording,
     mut found: Found,
@@ -35,8 +35,11 @@ pub fn settled<'a>(
     laws: Mix,
 ) -> Result<(Found, Fits<'a>), FitError> {
     let mut fits = Fits::new(recording, &found, options, laws)?;
+    if options.from.is_some() {
+        return Ok((found, fits));
+    }
     for begin in [Fits::set_off, Fits::let_go] {
-        let first = begin(&fits, recording, &found.window).filter(|_| options.from.is_none());
+        let first = begin(&fits, recording, &found.window);
         let better = first.and_then(|first| {
             far_better(recording, (&found, &mut fits), first, |shorter| {
                 Fits::new(recording, shorter, options, laws).ok()
@@ -46,7 +49,7 @@ pub fn settled<'a>(
     }
     let mut uncut = None;
     for _ in 0..3 {
-        let Some(first) = fits.misfit(&found.window, options) else { break };
+        let Some(first) = fits.misfit(&found.window) else { break };
         let Window { end, ends, .. } = found.window;
         let window = Window::between(&recording.times, first, end, Edge::Misfit, ends);
         let shorter = seen(recording, window, &found);
@@ -55,7 +58,7 @@ pub fn settled<'a>(
         (found, fits) = (shorter, again);
     }
     // What stays however much is cut comes of a motion that no mix describes, not of a hand.
-    let stays = uncut.is_some() && fits.misfit(&found.window, options).is_some();
+    let stays = uncut.is_some() && fits.misfit(&found.window).is_some();
     Ok(uncut.filter(|_| stays).unwrap_or((found, fits)))
 }
 
@@ -114,10 +117,7 @@ impl Fits<'_> {
     /// The index from which on the recording fits, if its first values do not belong to the motion:
     /// over the first eighth of a period, or over the first swing, the residuals are far larger
     /// than after it.
-    fn misfit(&mut self, window: &Window, options: &Options) -> Option<usize> {
-        if options.from.is_some() {
-            return None;
-        }
+    fn misfit(&mut self, window: &Window) -> Option<usize> {
         let Minimum { at, ending, .. } = self.largest().minimum;
         let residuals = self.problem.residuals(&at, ending)?;
         let begin = self.problem.times[0];

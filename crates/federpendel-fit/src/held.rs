@@ -32,7 +32,12 @@ pub struct Plateau {
 pub fn plateau(values: &[f64]) -> Option<Plateau> {
     let values = without_outliers(values);
     let (low, high) = bounds(&values);
-    let band = BAND * (high - low) + NOISY * fast_noise(&values);
+    plateau_in(&values, high - low, fast_noise(&values))
+}
+
+/// The same of values without outliers, of which the range and the noise are known.
+fn plateau_in(values: &[f64], range: f64, noise: f64) -> Option<Plateau> {
+    let band = BAND * range + NOISY * noise;
     let mut sum = 0.0;
     for (end, pair) in values.windows(2).enumerate() {
         let level = if end == 0 { pair[0] } else { sum / end as f64 };
@@ -47,11 +52,10 @@ pub fn plateau(values: &[f64]) -> Option<Plateau> {
 
 /// The plateau if the mass was held there, and not merely turning.
 pub fn held(times: &[f64], values: &[f64]) -> Option<Plateau> {
-    let plateau @ Plateau { end, level } = plateau(values)?;
     let values = without_outliers(values);
     let (low, high) = bounds(&values);
-    let range = high - low;
-    let noise = fast_noise(&values);
+    let (range, noise) = (high - low, fast_noise(&values));
+    let plateau @ Plateau { end, level } = plateau_in(&values, range, noise)?;
     // The first half of them: at the end it may have set off already.
     let first = &values[..end.div_ceil(2)];
     let spread = first.iter().map(|value| (value - level).powi(2)).sum::<f64>();

@@ -76,13 +76,14 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
         let part = window.first..window.end;
         look(&times[part.clone()], &recording.values[part])
     };
-    let part = window.first..window.end;
-    let held = held(&times[part.clone()], &recording.values[part]).filter(|_| from.is_none());
-    if let Some(held) = held {
-        window = Window::between(times, window.first + held.end, end, Edge::Held, window.ends);
+    let given = window.first..window.end;
+    let mut held = held(&times[given.clone()], &recording.values[given]).filter(|_| from.is_none());
+    if let Some(plateau) = held {
+        window = Window::between(times, window.first + plateau.end, end, Edge::Held, window.ends);
     }
     let mut whole = seen(&window);
-    let part = whole.as_ref().map(|look| decay(&times[window.first..end], look));
+    let looked_at = window.first..window.end;
+    let part = whole.as_ref().map(|look| decay(&times[looked_at.clone()], look));
     let part = part.unwrap_or_default();
     if let Some((last, edge)) = part.to.filter(|_| to.is_none()) {
         window = cut(times, window, last, edge);
@@ -90,15 +91,17 @@ pub fn find(recording: &Recording, from: Option<f64>, to: Option<f64>) -> Found 
     if let Some(tried) = part.from.filter(|_| from.is_none()) {
         let first = times.partition_point(|&t| t < tried);
         window = Window::between(times, first, window.end, Edge::Held, window.ends);
+        // It was held again, and the window begins within that.
+        held = None;
     }
-    if window.end - window.first < end - first {
+    if (window.first..window.end) != looked_at {
         whole = seen(&window);
     }
     let Window { first, end, begins, ends, .. } = window;
     if let Some(look) = &whole {
         if from.is_none() {
-            let held = held.map(|held| held.level);
-            let (start, edge) = start(&times[first..], look, held, recording.quantity);
+            let level = held.map(|plateau| plateau.level);
+            let (start, edge) = start(&times[first..], look, level, recording.quantity);
             if edge != Edge::Recording {
                 let first = times.partition_point(|&t| t < start).min(end - 1);
                 window = Window::between(times, first, end, edge, window.ends);

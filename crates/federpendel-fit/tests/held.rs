@@ -147,6 +147,26 @@ fn the_window_begins_soon_after_the_release() {
 }
 
 #[test]
+fn held_tried_and_held_again_it_begins_with_the_last_release() {
+    // Six swings of a mass that is let go too early, between two holds, at 100 values a half period.
+    let free = |swings: f64, since: f64| -> f64 {
+        let amplitude = 0.1 * (1.0 - 0.03 * since);
+        if since < swings { amplitude * (PI * since).cos() } else { 0.1 }
+    };
+    let mut random = Random(5);
+    let times: Vec<f64> = (0..2400).map(|i| 0.01 * f64::from(i)).collect();
+    let value = |time: f64| match time {
+        ..2.0 => 0.1,
+        2.0..11.0 => free(6.0, time - 2.0),
+        _ => free(f64::INFINITY, time - 11.0),
+    };
+    let values = times.iter().map(|&time| value(time) + 3e-4 * random.normal()).collect();
+    let recording = Recording { times, values, quantity: Quantity::Position, unit: String::new() };
+    let window = find(&recording, None, None).window;
+    assert!((11.0..12.0).contains(&window.from), "{window:?}");
+}
+
+#[test]
 fn a_free_motion_that_begins_where_it_turns_is_not_cut() {
     for seed in 1..=300 {
         let known = released(seed, 3.0..9.0);
